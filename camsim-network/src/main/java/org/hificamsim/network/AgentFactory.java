@@ -95,7 +95,7 @@ final class AgentFactory {
   private Links links(int camera, CameraRole role) {
     List<Integer> initial =
         camera < camerasInFile
-            ? initialLinks.of(world.cameras().name(camera), hasReverseLinks(camera))
+            ? initialLinks.links(world.cameras().name(camera), hasReverseLinks(camera))
             : List.of();
     boolean frozenByGraph = graphIsStatic && !settings.has(Quirk.LINKS_FREEZE_BY_POLICY);
     return Links.plain(

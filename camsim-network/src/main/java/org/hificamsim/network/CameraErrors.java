@@ -5,7 +5,7 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
 
 /**
- * Random failures of cameras, and their ends (behaviour 7, step 4; quirks Q6, Q15, Q18).
+ * Makes cameras fail at random, and ends these failures (behaviour 7, step 4; quirks Q6, Q15, Q18).
  *
  * <p>A duration of 0 brings a camera back that has failed for a limited time, but not one that an
  * event has switched off for ever.

@@ -35,7 +35,7 @@ final class InitialLinks {
    *
    * @param reverse whether to include the cameras that list this one
    */
-  List<Integer> of(String camera, boolean reverse) {
+  List<Integer> links(String camera, boolean reverse) {
     List<Integer> links = new ArrayList<>();
     neighbours.getOrDefault(camera, List.of()).forEach(name -> links.add(numbers.get(name)));
     if (reverse) {

@@ -93,7 +93,7 @@ public final class Network implements Cooperation, WorldObserver {
             searches,
             queue,
             new Random(seed),
-            settings.has(Quirk.TIES_BY_HASH_CODE) ? hashes::of : null,
+            settings.has(Quirk.TIES_BY_HASH_CODE) ? hashes::hash : null,
             !settings.has(Quirk.MISPRICED_SALES));
     world.scenario().cameras().forEach(camera -> cameraAdded(addedCameras));
     world.scenario().targets().forEach(target -> targetAppeared(appearedTargets));

@@ -23,30 +23,30 @@ import org.hificamsim.network.agent.Sightings;
 import org.hificamsim.network.agent.TargetKeys;
 import org.junit.jupiter.api.Test;
 
-/** The hash codes that order bids. */
+/** Tests the hash codes that order bids. */
 class BidderHashesTest {
   private static final int FIRST = -417382511;
 
   @Test
   void hashCodesOfPublishedCamerasEqualRecording() {
     BidderHashes hashes = hashes(grid().world());
-    assertEquals(FIRST, hashes.of(0));
-    assertEquals(-307410659, hashes.of(1));
+    assertEquals(FIRST, hashes.hash(0));
+    assertEquals(-307410659, hashes.hash(1));
   }
 
   @Test
   void hashCodeFollowsZoomAndPose() {
     World world = grid().zooms(4, 16).world();
     BidderHashes kept = hashes(world);
-    assertEquals(FIRST, kept.of(0));
+    assertEquals(FIRST, kept.hash(0));
     world.cameras().turnTo(0, 0);
-    assertNotEquals(FIRST, kept.of(0));
-    assertEquals(hashes(world).of(0), kept.of(0));
+    assertNotEquals(FIRST, kept.hash(0));
+    assertEquals(hashes(world).hash(0), kept.hash(0));
     world.cameras().aim(0, 1, 0.5);
-    assertNotEquals(FIRST, kept.of(0));
-    assertEquals(hashes(world).of(0), kept.of(0));
+    assertNotEquals(FIRST, kept.hash(0));
+    assertEquals(hashes(world).hash(0), kept.hash(0));
     world.cameras().turnTo(0, 1);
-    assertEquals(FIRST, kept.of(0));
+    assertEquals(FIRST, kept.hash(0));
   }
 
   /** Creates the hash codes of passive cameras that are all neighbours. */
@@ -64,7 +64,7 @@ class BidderHashesTest {
             new Searches(world.cameras(), world.targets().count()),
             new MessageQueue(4, 8),
             new Random(0),
-            hashes::of,
+            hashes::hash,
             false);
     for (int camera = 0; camera < count; camera++) {
       agents[camera] = passive(camera, world, shared);

@@ -11,7 +11,7 @@ import org.hificamsim.core.world.World;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** CamSim's recorded owners, ranges and confidences, step by step. */
+/** Compares owners, ranges and confidences with those recorded from CamSim, step by step. */
 class CamSimNetworkTraceTest {
   private record Key(int step, String camera, String target) {}
 

@@ -22,9 +22,9 @@ class CamSimOutputTest {
   /**
    * One line of an index of recorded outputs.
    *
-   * @param comparable the number of steps that are the same in every run of CamSim
+   * @param comparableSteps the number of steps that are the same in every run of CamSim
    */
-  record Recorded(String file, RecordedRun run, int comparable) {
+  record Recorded(String file, RecordedRun run, int comparableSteps) {
     static Recorded ours(String[] cells) {
       CamSimCommand command = CamSimCommand.of("own-camsim/" + cells[0], cells[1]);
       return new Recorded("own-camsim/" + cells[2], new RecordedRun(command), command.steps());
@@ -37,8 +37,8 @@ class CamSimOutputTest {
       return new Recorded("camsim/outputs/" + cells[0], new RecordedRun(command), steps);
     }
 
-    boolean stable() {
-      return comparable == run.command().steps();
+    boolean isStable() {
+      return comparableSteps == run.command().steps();
     }
 
     @Override
@@ -57,7 +57,7 @@ class CamSimOutputTest {
     List<Recorded> index =
         Reference.rows("camsim/outputs/index.csv").stream().map(Recorded::camSims).toList();
     assertEquals(29, index.size());
-    assertEquals(28, index.stream().filter(Recorded::stable).count());
+    assertEquals(28, index.stream().filter(Recorded::isStable).count());
     return index.stream();
   }
 
@@ -71,7 +71,7 @@ class CamSimOutputTest {
   @MethodSource("camSims")
   void columnsAndHandoversOfCamSimScenariosEqualRecording(Recorded output) throws IOException {
     long handovers = assertColumns(output).stream().mapToLong(StepFigures::handovers).sum();
-    if (output.stable()) {
+    if (output.isStable()) {
       String[] summary = Reference.rows(output.file().replace(".csv", ".summary.csv")).get(0);
       assertEquals(Double.parseDouble(summary[7]), (double) handovers);
     }
@@ -85,10 +85,10 @@ class CamSimOutputTest {
     List<StepFigures> ours = new ArrayList<>();
     output.run().run((world, network) -> ours.add(network.figures()));
     assertEquals(lines.size() - 1, ours.size());
-    for (int step = 0; step < output.comparable(); step++) {
+    for (int step = 0; step < output.comparableSteps(); step++) {
       assertRow(lines.get(step + 1), ours.get(step));
     }
-    assertTrue(output.comparable() >= 120, output.comparable() + " steps compared");
+    assertTrue(output.comparableSteps() >= 120, output.comparableSteps() + " steps compared");
     return ours;
   }
 

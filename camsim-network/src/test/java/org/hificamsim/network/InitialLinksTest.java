@@ -16,9 +16,9 @@ class InitialLinksTest {
         new VisionGraph(true, Map.of("A", List.of("B", "Nobody"), "C", List.of("A")));
     InitialLinks links = new InitialLinks(List.of("A", "B", "C"), Optional.of(graph));
     assertEquals(4, links.names());
-    assertEquals(List.of(1, 3), links.of("A", false));
-    assertEquals(List.of(1, 3, 2), links.of("A", true));
-    assertEquals(List.of(), links.of("B", false));
-    assertEquals(List.of(0), links.of("B", true));
+    assertEquals(List.of(1, 3), links.links("A", false));
+    assertEquals(List.of(1, 3, 2), links.links("A", true));
+    assertEquals(List.of(), links.links("B", false));
+    assertEquals(List.of(0), links.links("B", true));
   }
 }

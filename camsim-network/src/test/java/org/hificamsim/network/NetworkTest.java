@@ -145,7 +145,7 @@ class NetworkTest {
 
   @ParameterizedTest
   @EnumSource(BanditAlgorithm.class)
-  void everyBanditZooms(BanditAlgorithm bandit) {
+  void everyBanditChangesTheRange(BanditAlgorithm bandit) {
     SmallNetwork network =
         pair("ai_algorithm='BanditZoom'", "ai_algorithm='BanditZoom'").bandit(bandit).run(200);
     StepFigures last = network.last();

@@ -13,7 +13,7 @@ import org.hificamsim.core.world.Cameras;
 import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.junit.jupiter.api.Test;
 
-/** CamSim's network in a world with walls, whose cameras have optics. */
+/** Tests CamSim's network in a world with walls, with cameras that have optics. */
 class OpticsAndWallsTest {
   private static final String ACTIVE = "ai_algorithm='Active' comm='0'";
 
@@ -41,7 +41,7 @@ class OpticsAndWallsTest {
   }
 
   @Test
-  void fartherCameraOwnsTargetHiddenByWall() {
+  void fartherCameraOwnsTargetThatAWallHidesFromTheNearer() {
     assertEquals("A", nearAndFar().run(3).owners("1.0"));
     SmallNetwork walled = nearAndFar().obstacle("<wall x1='2.5' y1='-1' x2='2.5' y2='1'/>").run(3);
     assertFalse(walled.sees(0, 0));

@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import org.hificamsim.core.Spelling;
 import org.junit.jupiter.api.Test;
 
-/** What users and documents call the quirks. */
+/** Tests the names of quirks that users and documents use. */
 class QuirkNamesTest {
   private static final Path DOCS =
       Path.of(System.getProperty("hificamsim.root", "..")).resolve("docs");

@@ -19,7 +19,7 @@ class QuirkTest {
   }
 
   @Test
-  void q3OffSpeedIsSpeed() {
+  void q3OffWaypointsKeepTheirSpeed() {
     SmallNetwork network = withWaypoints().without(Quirk.WAYPOINT_SPEED_IS_HEADING).run(1);
     assertEquals(0.25, network.world().targets().x(0), 1e-12);
   }
@@ -40,7 +40,7 @@ class QuirkTest {
   }
 
   @Test
-  void q5PolicyNotGraphFreezesLinks() {
+  void q5LinksAreFrozenByPolicyNotByGraph() {
     assertEquals(1, linked().run(400).row(399).communication());
   }
 

@@ -16,7 +16,7 @@ import org.hificamsim.network.bandit.BanditAlgorithm;
 
 /** A recorded run of CamSim, repeated with our network. */
 record RecordedRun(CamSimCommand command) {
-  /** Watches a run. */
+  /** Receives the state after each step of a run. */
   interface Watcher {
     void stepped(World world, Network network);
   }

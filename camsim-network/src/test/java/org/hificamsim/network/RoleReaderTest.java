@@ -14,7 +14,7 @@ import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.junit.jupiter.api.Test;
 
-/** Roles from the attributes of cameras, and from settings for all cameras. */
+/** Tests roles from the attributes of cameras, and from settings for all cameras. */
 class RoleReaderTest {
   private static final CameraSpec NOTHING = new CameraSpec("a", 0, 0, 5);
   private static final CameraSpec SMOOTH =

@@ -16,7 +16,7 @@ import org.hificamsim.network.statistics.StepFigures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Zooming cameras against a plain transcription of docs/camsim-behaviour.md. */
+/** Compares zooming cameras with a plain transcription of docs/camsim-behaviour.md. */
 class ZoomRulesTest {
   private static final int SCENARIOS = 100;
 

@@ -14,7 +14,7 @@ import org.hificamsim.core.world.Cameras;
  */
 public final class Agent {
   /**
-   * The objects that all agents share.
+   * Objects that all agents share.
    *
    * @param keys the keys of all targets, including those that events will add
    * @param searches the searches of all agents
@@ -185,7 +185,7 @@ public final class Agent {
     }
   }
 
-  /** Records a bid, unless the camera has already bid. */
+  /** Records a bid, unless the bidder has already bid. */
   private void recordBid(int target, int from, double value) {
     if (bidsByTarget[target] == null) {
       bidsByTarget[target] = new Bids();

@@ -39,7 +39,7 @@ public final class BidderHashes {
   }
 
   /** Returns the hash code of the current text of a camera. */
-  public int of(int camera) {
+  public int hash(int camera) {
     int hash = appendNumber(constantPart(camera), sightings.visibleCount(camera));
     return appendNumber(append(hash, " neighbours="), agents[camera].neighbours());
   }

@@ -21,7 +21,7 @@ final class HashOrder {
   private int capacity = FIRST_CAPACITY;
 
   /**
-   * Adds an item whose key is not in the list.
+   * Adds an item whose key is not yet in the list.
    *
    * @param hash the hash code of its key
    */
@@ -43,15 +43,15 @@ final class HashOrder {
     }
   }
 
-  /** Inserts an item behind the last one of its bucket, before an end. */
+  /** Inserts an item after the last one of its bucket, among the items before an end. */
   private void insert(int end, int item, int hash) {
-    int place = end;
-    for (; place > 0 && bucket(hashes[place - 1]) > bucket(hash); place--) {
-      items[place] = items[place - 1];
-      hashes[place] = hashes[place - 1];
+    int index = end;
+    for (; index > 0 && bucket(hashes[index - 1]) > bucket(hash); index--) {
+      items[index] = items[index - 1];
+      hashes[index] = hashes[index - 1];
     }
-    items[place] = item;
-    hashes[place] = hash;
+    items[index] = item;
+    hashes[index] = hash;
   }
 
   private int bucket(int hash) {

@@ -72,12 +72,12 @@ public final class MessageQueue {
     waiting.add(new Message(kind, from, to, target, value));
   }
 
-  /** Takes note that a camera receives a message. */
+  /** Counts a message that a camera receives. */
   public void countReceived(MessageKind kind, int to) {
     radio.receive(to, bits(kind));
   }
 
-  /** Takes note that all cameras that are online receive a message of another one. */
+  /** Counts a message of one camera that all other online cameras receive. */
   public void countReceivedByAll(MessageKind kind, int from) {
     radio.receiveAll(from, bits(kind), stations);
   }

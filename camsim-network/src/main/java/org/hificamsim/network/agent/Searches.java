@@ -98,11 +98,11 @@ public final class Searches {
     for (int i = 0; i < owned.count(); i++) {
       int target = owned.target(i);
       if (searcher[target][camera] == camera) {
-        int place = sorted++;
-        for (; place > 0 && since[targets[place - 1]][camera] > since[target][camera]; place--) {
-          targets[place] = targets[place - 1];
+        int index = sorted++;
+        for (; index > 0 && since[targets[index - 1]][camera] > since[target][camera]; index--) {
+          targets[index] = targets[index - 1];
         }
-        targets[place] = target;
+        targets[index] = target;
       }
     }
     return targets;

@@ -142,7 +142,7 @@ public final class Sightings {
     return known;
   }
 
-  /** Leaves a camera what it can process of the targets found; returns their number. */
+  /** Reduces the targets found to those that the camera can process; returns their number. */
   private int process(int camera, int count) {
     for (int i = 0; i < count; i++) {
       foundConfidences[i] = confidence[camera][foundTargets[i]];
@@ -225,7 +225,7 @@ public final class Sightings {
     return count;
   }
 
-  /** Returns the sight for a zoom level and size, usually the one that the camera used before. */
+  /** Returns the sight of a zoom level and target size, which is usually the camera's last one. */
   private LevelSight sight(int camera, ZoomLevel zoom, double size) {
     LevelSight last = lastSights[camera];
     if (last == null || last.body().size() != size) {

@@ -5,8 +5,8 @@ import java.util.stream.Stream;
 import org.hificamsim.core.world.Targets;
 
 /**
- * How long targets stay in the view of one camera, by the direction in which they move (behaviour
- * 8.7).
+ * The stays of targets in the view of one camera, and their mean length by the direction in which
+ * targets move (behaviour 8.7).
  *
  * <p>The direction depends on the first two positions of a stay, so no others are kept.
  */

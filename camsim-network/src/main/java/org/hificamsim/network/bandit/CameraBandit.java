@@ -13,14 +13,14 @@ public interface CameraBandit {
   }
 
   /**
-   * Returns what the camera has earned before it settles its auctions; 0 if the bandit does not
-   * learn from it.
+   * Returns the utility and prices that the camera has earned before it settles its auctions; 0 if
+   * the bandit does not learn from them.
    */
   default double earned(CameraFigures figures) {
     return 0;
   }
 
-  /** Is told that an event has changed the range of the camera. */
+  /** Called when an event has changed the range of the camera. */
   default void rangeChanged() {}
 
   /**

@@ -23,7 +23,7 @@ public record ParameterFile(HistoricalParameters historical, BanditParameters ba
   public static final ParameterFile DEFAULT =
       new ParameterFile(HistoricalParameters.DEFAULT, BanditParameters.DEFAULT);
 
-  private static final double MAX = 1e9;
+  private static final double MAX_NUMBER = 1e9;
   private static final int MAX_CATEGORIES = 360;
 
   private enum Truth {
@@ -77,8 +77,12 @@ public record ParameterFile(HistoricalParameters historical, BanditParameters ba
     readBoolean(options, "DebugHist", false);
     return new HistoricalParameters(
         options.number(
-            "PreInstantiationBidCoefficient", defaults.preInstantiation(), -MAX, MAX, ""),
-        options.number("OverstayBidCoefficient", defaults.overstay(), -MAX, MAX, ""),
+            "PreInstantiationBidCoefficient",
+            defaults.preInstantiation(),
+            -MAX_NUMBER,
+            MAX_NUMBER,
+            ""),
+        options.number("OverstayBidCoefficient", defaults.overstay(), -MAX_NUMBER, MAX_NUMBER, ""),
         readBoolean(options, "ClassificationEnabled", defaults.classification()),
         options.integer("ObjectCategories", defaults.categories(), 1, MAX_CATEGORIES, ""),
         readBoolean(options, "HistPerCategoryEnabled", defaults.perCategory()),
@@ -88,7 +92,7 @@ public record ParameterFile(HistoricalParameters historical, BanditParameters ba
   private static BanditParameters bandit(Options options) {
     BanditParameters defaults = BanditParameters.DEFAULT;
     return new BanditParameters(
-        options.number("Epsilon", defaults.epsilon(), Double.MIN_VALUE, MAX, ""),
+        options.number("Epsilon", defaults.epsilon(), Double.MIN_VALUE, MAX_NUMBER, ""),
         options.number("Alpha", defaults.alpha(), 0, 1, ""),
         options.number("Beta", defaults.beta(), 0, 1, ""),
         options.number("Gamma", defaults.gamma(), 0, 1, ""),

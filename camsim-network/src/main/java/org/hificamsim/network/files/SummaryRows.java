@@ -44,7 +44,7 @@ public final class SummaryRows {
   }
 
   /**
-   * Returns the default path of the summary: {@code summary.csv} beside the output (quirk Q20 is
+   * Returns the default path of the summary: {@code summary.csv} next to the output (quirk Q20 is
    * fixed).
    */
   static Path defaultPath(Path output) {
@@ -67,7 +67,7 @@ public final class SummaryRows {
     }
   }
 
-  /** Returns the summary file of several runs, each with the seed after that of the one before. */
+  /** Returns the text of the summary file of several runs with consecutive seeds. */
   public static String text(long firstSeed, List<StepFigures> runs) {
     StringBuilder text = new StringBuilder(HEADER).append(System.lineSeparator());
     for (int i = 0; i < runs.size(); i++) {

@@ -16,7 +16,7 @@ public final class Front {
    * @param cost the cost of each point, to be minimised
    * @param points the indexes of the points to compare
    */
-  public static int[] of(double[] utility, double[] cost, int[] points) {
+  public static int[] find(double[] utility, double[] cost, int[] points) {
     int[] byCost =
         Arrays.stream(points)
             .boxed()
@@ -54,7 +54,7 @@ public final class Front {
     }
     double area = 0;
     double below = 0;
-    for (int point : of(utility, cost, points)) {
+    for (int point : find(utility, cost, points)) {
       area += Math.max(0, utility[point] - below) * Math.max(0, mostCost - cost[point]);
       below = Math.max(below, utility[point]);
     }

@@ -42,8 +42,8 @@ public final class NetworkSearch {
   private final RunPlan base;
   private final StudyResults results;
   private final RunEngine engine;
-  private final Map<List<Integer>, Vec<double[]>> known = new HashMap<>();
-  private int left;
+  private final Map<List<Integer>, Vec<double[]>> fitnessByGenes = new HashMap<>();
+  private int budgetLeft;
 
   /**
    * @param results receives the results of the networks that are run
@@ -60,11 +60,11 @@ public final class NetworkSearch {
    * seed.
    */
   public void run(int budget) throws IOException {
-    left = budget + choice.strategies().size();
+    budgetLeft = budget + choice.strategies().size();
     int genes = NetworkChoice.cameras(base);
     List<Genotype<IntegerGene>> first =
         IntStream.range(0, choice.strategies().size())
-            .mapToObj(strategy -> Genotype.of(IntegerChromosome.of(same(strategy, genes))))
+            .mapToObj(strategy -> Genotype.of(IntegerChromosome.of(uniformGenes(strategy, genes))))
             .toList();
     try {
       RandomRegistry.with(new Random(base.seed()), random -> evolve(genes, ISeq.of(first), budget));
@@ -73,16 +73,16 @@ public final class NetworkSearch {
     }
   }
 
-  private List<IntegerGene> same(int strategy, int genes) {
+  private List<IntegerGene> uniformGenes(int strategy, int genes) {
     return IntStream.range(0, genes)
         .mapToObj(i -> IntegerGene.of(strategy, 0, choice.strategies().size()))
         .toList();
   }
 
   private long evolve(int genes, ISeq<Genotype<IntegerGene>> first, int budget) {
-    Genotype<IntegerGene> form =
+    Genotype<IntegerGene> pattern =
         Genotype.of(IntegerChromosome.of(0, choice.strategies().size(), genes));
-    return new Engine.Builder<IntegerGene, Vec<double[]>>(this::evaluate, form)
+    return new Engine.Builder<IntegerGene, Vec<double[]>>(this::evaluate, pattern)
             .optimize(Optimize.MAXIMUM)
             .populationSize(POPULATION)
             .alterers(new UniformCrossover<>(0.5), new Mutator<>(1.0 / genes))
@@ -91,7 +91,7 @@ public final class NetworkSearch {
             .executor(Runnable::run)
             .build()
             .stream(first)
-            .takeWhile(generation -> left > 0)
+            .takeWhile(generation -> budgetLeft > 0)
             .limit(
                 GENERATIONS_PER_POPULATION
                     + (long) GENERATIONS_PER_POPULATION * budget / POPULATION)
@@ -104,8 +104,11 @@ public final class NetworkSearch {
     Set<List<Integer>> asked = new LinkedHashSet<>();
     generation.forEach(network -> asked.add(genes(network)));
     List<List<Integer>> missing =
-        asked.stream().filter(genes -> !known.containsKey(genes)).limit(left).toList();
-    left -= missing.size();
+        asked.stream()
+            .filter(genes -> !fitnessByGenes.containsKey(genes))
+            .limit(budgetLeft)
+            .toList();
+    budgetLeft -= missing.size();
     try {
       if (!missing.isEmpty()) {
         results.run(missing.stream().map(this::plan).toList(), engine);
@@ -113,10 +116,12 @@ public final class NetworkSearch {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-    missing.forEach(genes -> known.put(genes, fitness(plan(genes))));
+    missing.forEach(genes -> fitnessByGenes.put(genes, fitness(plan(genes))));
     Vec<double[]> beyondBudget = Vec.of(0, Double.NEGATIVE_INFINITY);
     return generation
-        .map(network -> network.withFitness(known.getOrDefault(genes(network), beyondBudget)))
+        .map(
+            network ->
+                network.withFitness(fitnessByGenes.getOrDefault(genes(network), beyondBudget)))
         .asISeq();
   }
 

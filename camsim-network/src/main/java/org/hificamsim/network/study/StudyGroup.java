@@ -154,7 +154,7 @@ public final class StudyGroup {
 
   /** The indexes of the networks on the front of a set, by rising cost. */
   public int[] front(Members members) {
-    return Front.of(means.utility, means.cost, members(members));
+    return Front.find(means.utility, means.cost, members(members));
   }
 
   /** The hypervolume of the front of a set, 0 to 1. */
@@ -197,16 +197,16 @@ public final class StudyGroup {
 
   /** The figure for all seeds, with its interval from leaving out each seed in turn. */
   private Estimate jackknife(IntToDoubleFunction figure) {
-    double whole = figure.applyAsDouble(NO_SEED);
+    double figureOfAll = figure.applyAsDouble(NO_SEED);
     int seeds = utility[0].length;
     if (seeds == 1) {
-      return Estimate.single(whole);
+      return Estimate.single(figureOfAll);
     }
     Estimate pseudo =
         Estimate.mean(
             IntStream.range(0, seeds)
-                .mapToDouble(seed -> seeds * whole - (seeds - 1) * figure.applyAsDouble(seed))
+                .mapToDouble(seed -> seeds * figureOfAll - (seeds - 1) * figure.applyAsDouble(seed))
                 .toArray());
-    return pseudo.plus(whole - pseudo.mean());
+    return pseudo.plus(figureOfAll - pseudo.mean());
   }
 }

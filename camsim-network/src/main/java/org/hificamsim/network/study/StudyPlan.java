@@ -11,9 +11,9 @@ import org.hificamsim.runs.RunPlan;
 public record StudyPlan(RunPlan plan, Kind kind, String label) {
   /** Kinds of networks. */
   public enum Kind {
-    /** All cameras have one strategy. */
+    /** All cameras have the same strategy. */
     HOMOGENEOUS,
-    /** Cameras have strategies of their own. */
+    /** Cameras have different strategies. */
     HETEROGENEOUS,
     /** Cameras choose by a bandit. */
     BANDIT

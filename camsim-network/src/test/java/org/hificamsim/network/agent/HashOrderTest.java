@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The order in which a Java hash map iterates. */
+/** Compares the order with that in which a Java hash map iterates. */
 class HashOrderTest {
   @ParameterizedTest
   @CsvSource({
@@ -48,9 +48,9 @@ class HashOrderTest {
     TargetKeys keys = new TargetKeys(features);
     for (int i = 0; i < 5000; i++) {
       int target = random.nextInt(features.length);
-      int place = items(order).indexOf(target);
-      if (place >= 0) {
-        order.removeAt(place);
+      int index = items(order).indexOf(target);
+      if (index >= 0) {
+        order.removeAt(index);
         map.remove(List.of(features[target]));
       } else if (random.nextInt(features.length) >= order.size()) {
         order.add(target, keys.hash(target));

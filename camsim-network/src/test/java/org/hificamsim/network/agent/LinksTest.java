@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Links of the vision graph that fade, grow, or are frozen. */
+/** Tests links of the vision graph that fade, grow, or are frozen. */
 class LinksTest {
   @Test
   void linksFadeByHalfPercentAndGrowByOne() {

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The order and the counts of delivered messages. */
+/** Tests the order and the counts of delivered messages. */
 class MessageQueueTest {
   private final MessageQueue queue = new MessageQueue(4, 8);
 

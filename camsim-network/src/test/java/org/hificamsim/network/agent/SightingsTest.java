@@ -23,23 +23,23 @@ class SightingsTest {
 
   @Test
   void visibleTargetsKeepOrderOfAppearance() {
-    assertEquals(List.of(1, 2), from(7));
-    assertEquals(List.of(1, 2, 0), from(3));
-    assertEquals(List.of(1, 0), from(0));
-    assertEquals(List.of(1, 0, 2), from(3));
+    assertEquals(List.of(1, 2), seenFrom(7));
+    assertEquals(List.of(1, 2, 0), seenFrom(3));
+    assertEquals(List.of(1, 0), seenFrom(0));
+    assertEquals(List.of(1, 0, 2), seenFrom(3));
   }
 
   @Test
   void forgottenTargetComesLastWhenSeenAgain() {
-    assertEquals(List.of(0, 1), from(0));
+    assertEquals(List.of(0, 1), seenFrom(0));
     assertTrue(sightings.sees(0, 0));
     sightings.forget(0, 0);
     assertFalse(sightings.sees(0, 0));
-    assertEquals(List.of(1, 0), from(0));
+    assertEquals(List.of(1, 0), seenFrom(0));
   }
 
-  /** Returns the targets that the camera sees from a place near the line of targets. */
-  private List<Integer> from(double x) {
+  /** Returns the targets that the camera sees from a position near the line of targets. */
+  private List<Integer> seenFrom(double x) {
     world.moveCamera(0, x + 0.5, 1);
     sightings.look(0, new int[1], new int[3], LateDetections.NONE);
     return IntStream.range(0, sightings.visibleCount(0))

@@ -13,14 +13,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Bandits alone. */
+/** Tests bandits without a network. */
 class BanditSolverTest {
   private static BanditSolver solver(BanditAlgorithm algorithm, int interval) {
     return new BanditSolver(
         algorithm, new BanditParameters(0.1, 1, 0.5, 0, interval), new Random(1));
   }
 
-  /** CamSim's UCB2 weighs an arm's epochs against its own count alone, and wanders. */
+  /** Leaves out UCB2, which in CamSim uses the count of one arm only, and finds no best arm. */
   @ParameterizedTest
   @EnumSource(
       value = BanditAlgorithm.class,

@@ -27,11 +27,11 @@ class CamSimFilesTest {
   @Test
   void failedRunDeletesOtherDraftsIfOneCannotBeDeleted() throws IOException {
     CamSimFiles files = files();
-    Path draft = in("steps").get(0);
+    Path draft = filesIn("steps").get(0);
     Files.delete(draft);
     Files.createDirectories(draft.resolve("not empty"));
     assertThrows(DirectoryNotEmptyException.class, files::close);
-    assertEquals(List.of(), in("coverage"));
+    assertEquals(List.of(), filesIn("coverage"));
   }
 
   /** The table of steps and the folder of the coverage, each in a folder of its own. */
@@ -50,7 +50,7 @@ class CamSimFilesTest {
         places, plan, NetworkRun.of(plan, NetworkSettings.CAMSIM, Catalogue.load()));
   }
 
-  private List<Path> in(String name) throws IOException {
+  private List<Path> filesIn(String name) throws IOException {
     try (Stream<Path> files = Files.list(folder.resolve(name))) {
       return files.toList();
     }

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The file of {@code -p}. */
+/** Tests the parameter file of option {@code -p}. */
 class ParameterFileTest {
   @TempDir Path folder;
 

@@ -20,7 +20,7 @@ class StepTableTest {
       new StepFigures(3, 0.5, 7, 1, 0.25, 9, 12.5, 0.75, 1, 2);
 
   /** A disk with room for the header alone. */
-  private static final class Full extends Writer {
+  private static final class FullDisk extends Writer {
     private int room = 100;
     private boolean closed;
 
@@ -55,25 +55,27 @@ class StepTableTest {
         out.toString());
   }
 
-  private static String lines(String... all) {
-    return Stream.of(all).map(line -> line + System.lineSeparator()).collect(Collectors.joining());
+  private static String lines(String... texts) {
+    return Stream.of(texts)
+        .map(line -> line + System.lineSeparator())
+        .collect(Collectors.joining());
   }
 
   @ParameterizedTest
   @ValueSource(ints = {1, 100_000})
   void reportsRowThatCannotBeWritten(int rows) {
-    Full full = new Full();
+    FullDisk disk = new FullDisk();
     UncheckedIOException e =
         assertThrows(
             UncheckedIOException.class,
             () -> {
-              try (StepTable table = new StepTable(full)) {
+              try (StepTable table = new StepTable(disk)) {
                 for (int row = 0; row < rows; row++) {
                   table.add(FIGURES);
                 }
               }
             });
     assertEquals("No space left on device", e.getCause().getMessage());
-    assertTrue(full.closed);
+    assertTrue(disk.closed);
   }
 }

@@ -62,13 +62,13 @@ public final class RandomZoomScenario {
     return text(
         "%s%s heading=\"%.1f\" viewing_angle=\"%s\" range=\"%.1f\"",
         further,
-        place(),
+        position(),
         360 * random.nextDouble() - 180,
         pick(ANGLES),
         7 + 11 * random.nextDouble());
   }
 
-  private String place() {
+  private String position() {
     return text(
         "x=\"%.2f\" y=\"%.2f\"",
         halfWidth * (2 * random.nextDouble() - 1), halfHeight * (2 * random.nextDouble() - 1));
@@ -77,7 +77,7 @@ public final class RandomZoomScenario {
   private String walk() {
     return text(
         "%s heading=\"%.1f\" speed=\"%.2f\"",
-        place(), 360 * random.nextDouble(), 0.3 + 1.3 * random.nextDouble());
+        position(), 360 * random.nextDouble(), 0.3 + 1.3 * random.nextDouble());
   }
 
   private String object(String name) {
@@ -98,7 +98,7 @@ public final class RandomZoomScenario {
   private String path() {
     StringBuilder path = new StringBuilder();
     for (int waypoint = 0; waypoint < 2 + random.nextInt(3); waypoint++) {
-      path.append(text("<waypoint %s/>", place()));
+      path.append(text("<waypoint %s/>", position()));
     }
     return path.toString();
   }

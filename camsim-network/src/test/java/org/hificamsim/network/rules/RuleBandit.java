@@ -61,7 +61,7 @@ final class RuleBandit {
     return wider >= 20 ? 16.0 : wider;
   }
 
-  /** Forgets what was stored since the last choice. */
+  /** Forgets the ratios that were stored since the last choice. */
   void forget() {
     ratios.clear();
     overlapRatios.clear();

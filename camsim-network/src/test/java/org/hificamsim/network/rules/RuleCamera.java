@@ -15,7 +15,7 @@ final class RuleCamera {
   /** Stands for the searcher of an object that nobody owns. */
   static final Object NOBODY = new Object();
 
-  /** What all cameras of a run count. */
+  /** The counts of all cameras of a run. */
   static final class Counts {
     long communication;
     long handovers;
@@ -54,7 +54,7 @@ final class RuleCamera {
     range = given >= 20 ? 16.0 : given;
   }
 
-  /** Changes what an event gives; -1 changes nothing (3.5). */
+  /** Applies the attributes of an event; -1 changes nothing (3.5). */
   void change(Element event) {
     x = changed(event, "x", x);
     y = changed(event, "y", y);
@@ -262,7 +262,7 @@ final class RuleCamera {
   double overlap(RuleCamera other) {
     double[] first = {x - topLeft[0], (topLeft[1] + y) * -1};
     double[] second = {other.x - topLeft[0], (topLeft[1] + other.y) * -1};
-    return RuleOverlap.of(first, range, second, other.range);
+    return RuleOverlap.area(first, range, second, other.range);
   }
 
   /** The hash of section 4.5, by which bids are ordered. */

@@ -4,7 +4,7 @@ package org.hificamsim.network.rules;
 final class RuleOverlap {
   private RuleOverlap() {}
 
-  static double of(double[] p1, double a, double[] p2, double b) {
+  static double area(double[] p1, double a, double[] p2, double b) {
     double dx = p1[0] - p2[0];
     double dy = p1[1] - p2[1];
     double c = Math.sqrt(dx * dx + dy * dy);

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
 
-/** CamSim's own overlap. */
+/** Tests CamSim's own formula for overlaps. */
 class CamSimOverlapTest {
   private static final double LENS = 2 * Math.acos(0.5) - Math.sqrt(3) / 2;
 
@@ -15,7 +15,7 @@ class CamSimOverlapTest {
   }
 
   @Test
-  void q11IsFarOffElsewhere() {
+  void q11OverlapIsWrongInOtherPositions() {
     assertEquals(
         2.617993877991494,
         CamSimOverlap.lensArea(new RangeCircle(1, 0, 1), new RangeCircle(0, 0, 1)),

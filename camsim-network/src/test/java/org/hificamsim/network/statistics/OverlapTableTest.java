@@ -8,7 +8,7 @@ import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** Overlaps of pairs, added up. */
+/** Tests sums of the overlaps of pairs. */
 class OverlapTableTest {
   private static World row(int count) {
     TestScenario scenario = new TestScenario();

@@ -28,7 +28,7 @@ class FrontTest {
     double[] cost = numbers(random, 30);
     int[] all = IntStream.range(0, 30).toArray();
     int[] expected = IntStream.of(all).filter(i -> !isBeaten(i, utility, cost)).toArray();
-    assertArrayEquals(expected, IntStream.of(Front.of(utility, cost, all)).sorted().toArray());
+    assertArrayEquals(expected, IntStream.of(Front.find(utility, cost, all)).sorted().toArray());
   }
 
   private static boolean isBeaten(int i, double[] utility, double[] cost) {
