@@ -21,34 +21,35 @@ import org.hificamsim.tracks.ground.Ground;
 /** Converts the samples of a file to metres on the ground, and collects them by target. */
 final class Collector implements SampleSink {
   private final Path file;
-  private final Function<Unit, Ground> groundOf;
+  private final Function<Unit, Ground> groundFor;
   private final ReadingNotes notes = new ReadingNotes();
   private final Map<String, RecordedTarget> targets = new LinkedHashMap<>();
   private final boolean reusesIds;
   private Ground ground;
-  private long fractions; // samples whose tick is not a whole number
+  private long fractionalTicks;
 
-  private Collector(FormatChoice choice, Function<Unit, Ground> groundOf) {
+  private Collector(FormatChoice choice, Function<Unit, Ground> groundFor) {
     this.file = choice.recording().file();
     this.reusesIds = choice.reader().reusesIds();
-    this.groundOf = groundOf;
+    this.groundFor = groundFor;
   }
 
   /**
    * Reads a file.
    *
-   * @param groundOf returns what converts the samples of a unit to metres
+   * @param groundFor returns the conversion of a unit to metres
    * @throws InputException if the file is wrong, or has no samples
    */
-  static FileTargets read(FormatChoice choice, Function<Unit, Ground> groundOf) {
-    Collector collector = new Collector(choice, groundOf);
+  static FileTargets read(FormatChoice choice, Function<Unit, Ground> groundFor) {
+    Collector collector = new Collector(choice, groundFor);
     Clock clock = choice.read(collector);
     List<RecordedTarget> targets = collector.sorted(choice);
     if (targets.isEmpty()) {
       InputException empty = choice.recording().missing("samples of targets; the file has none");
       throw choice.wrongFormat(collector.notes.leftOut().first().orElse(empty));
     }
-    if (clock.countsFrames() && 2 * collector.fractions > collector.notes.leftOut().samples()) {
+    if (clock.countsFrames()
+        && 2 * collector.fractionalTicks > collector.notes.leftOut().samples()) {
       collector.doubt(
           new Doubt(
               "most frames are not whole numbers: they are probably seconds",
@@ -77,7 +78,7 @@ final class Collector implements SampleSink {
 
   @Override
   public void measuredIn(Unit unit) {
-    ground = groundOf.apply(unit);
+    ground = groundFor.apply(unit);
     notes.measuredIn(unit);
   }
 
@@ -88,7 +89,7 @@ final class Collector implements SampleSink {
       notes.addDuplicate(sample.place());
     }
     notes.leftOut().addSample();
-    fractions += fileSample.tick() == Math.rint(fileSample.tick()) ? 0 : 1;
+    fractionalTicks += fileSample.tick() == Math.rint(fileSample.tick()) ? 0 : 1;
   }
 
   @Override

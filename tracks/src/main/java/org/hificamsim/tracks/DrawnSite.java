@@ -10,7 +10,7 @@ import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.tracks.place.DraftCameras;
-import org.hificamsim.tracks.place.Way;
+import org.hificamsim.tracks.place.PeoplePositions;
 
 /**
  * Makes the scenario of a floor plan without a recording: field, walls, zones, draft of cameras.
@@ -25,7 +25,7 @@ public final class DrawnSite {
   private final DraftCameras draft;
 
   /**
-   * @param drawn the field around all that is drawn, metres
+   * @param drawn the field around the whole drawing, metres
    * @param walkable borders of areas that people walk in, which become zones
    */
   public DrawnSite(SiteSettings settings, Field drawn, List<List<Point>> walkable) {
@@ -39,7 +39,7 @@ public final class DrawnSite {
     }
     this.draft =
         new DraftCameras(
-            field, obstacles, way(true), settings.cameras(), SiteQuestion.PIXELS_PER_METRE);
+            field, obstacles, positions(true), settings.cameras(), SiteQuestion.PIXELS_PER_METRE);
   }
 
   /** The field of a picture ends where the picture does. */
@@ -62,15 +62,16 @@ public final class DrawnSite {
         Math.max(minY + 1, Math.ceil(drawn.maxY() + margin)));
   }
 
-  /** Places all over the zones, or over the field without zones; only free ones if asked. */
-  Way way(boolean freeOnly) {
-    Way way = new Way();
-    for (Point point : Way.allOver(field, freeOnly ? obstacles : Obstacles.NONE).points()) {
+  /** Positions all over the zones, or over the field without zones; only free ones if asked. */
+  PeoplePositions positions(boolean freeOnly) {
+    PeoplePositions positions = new PeoplePositions();
+    for (Point point :
+        PeoplePositions.allOver(field, freeOnly ? obstacles : Obstacles.NONE).points()) {
       if (zones.isEmpty() || zones.stream().anyMatch(zone -> zone.contains(point.x(), point.y()))) {
-        way.add(point.x(), point.y());
+        positions.add(point.x(), point.y());
       }
     }
-    return way;
+    return positions;
   }
 
   /** The field, metres. */
@@ -83,9 +84,9 @@ public final class DrawnSite {
     return obstacles;
   }
 
-  /** Says that no draft camera sees a free place; empty if one does, or if there are none. */
+  /** A warning that no draft camera sees a free position; empty if one does or there are none. */
   Optional<String> blindDraft() {
-    return draft.blind();
+    return draft.blindnessWarning();
   }
 
   /** The objective and detection of the scenario, in one line. */

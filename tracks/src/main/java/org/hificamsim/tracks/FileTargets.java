@@ -12,10 +12,10 @@ import java.util.Map;
 /**
  * The targets of one of a recording's files.
  *
- * @param file its path
+ * @param file the path of the file
  * @param haveIds whether targets of the same name in another file may be the same ones
- * @param secondsPerTick the unit of their times
- * @param notes what is odd about the file
+ * @param secondsPerTick the unit of the targets' times
+ * @param notes the oddities of the file
  */
 record FileTargets(
     Path file,
@@ -25,23 +25,23 @@ record FileTargets(
     ReadingNotes notes) {
 
   /**
-   * Puts the targets of several files together. Targets with the same id are the same one, which
-   * comes and goes, unless an id is in two files at the same time: then each file has its own ids.
+   * Combines the targets of several files. Targets with the same id are one target, which comes and
+   * goes, unless an id is in two files at the same time: then each file has its own ids.
    */
-  static RecordedTargets together(List<FileTargets> files) {
+  static RecordedTargets combine(List<FileTargets> files) {
     ReadingNotes notes = new ReadingNotes();
     files.forEach(file -> notes.combine(file.notes));
     if (files.size() == 1) {
-      FileTargets only = files.get(0);
-      if (!only.haveIds && only.targets.size() == 1) {
+      FileTargets single = files.get(0);
+      if (!single.haveIds && single.targets.size() == 1) {
         notes.addLine("ids: none, all samples are of one target");
       }
-      return new RecordedTargets(only.targets, only.secondsPerTick, notes);
+      return new RecordedTargets(single.targets, single.secondsPerTick, notes);
     }
-    boolean share = !overlap(files);
+    boolean idsAreShared = !overlap(files);
     if (files.stream().anyMatch(FileTargets::haveIds)) {
       notes.addLine(
-          share
+          idsAreShared
               ? "ids: the same in all files"
               : "ids: each file has its own, because two have the same at the same time");
     }
@@ -49,7 +49,7 @@ record FileTargets(
     for (int i = 0; i < files.size(); i++) {
       FileTargets file = files.get(i);
       for (RecordedTarget target : file.targets) {
-        String name = share && file.haveIds ? target.name() : file.ownName(target, i);
+        String name = idsAreShared && file.haveIds ? target.name() : file.ownName(target, i);
         byName
             .computeIfAbsent(name, key -> new ArrayList<>())
             .add(target.renamed(name, file.secondsPerTick));
@@ -85,8 +85,8 @@ record FileTargets(
   private static RecordedTarget inOrder(List<RecordedTarget> parts) {
     List<RecordedTarget> sorted = new ArrayList<>(parts);
     sorted.sort(Comparator.comparingDouble(RecordedTarget::firstTime));
-    RecordedTarget whole = sorted.get(0);
-    sorted.stream().skip(1).forEach(whole::append);
-    return whole;
+    RecordedTarget joined = sorted.get(0);
+    sorted.stream().skip(1).forEach(joined::append);
+    return joined;
   }
 }

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.RecordedTarget.Sample;
-import org.hificamsim.tracks.place.Way;
+import org.hificamsim.tracks.place.PeoplePositions;
 
 /** The findings of an import: the extent in time and space, speeds, gaps, and oddities. */
 public final class ImportSummary {
@@ -49,22 +49,22 @@ public final class ImportSummary {
   private long blockedMoves;
   private int movingTargets;
   private int blockedTargets;
-  private final Way way = new Way();
+  private final PeoplePositions positions = new PeoplePositions();
   private String firstBlocked = "";
 
   /**
    * A target's move between two samples.
    *
-   * @param time of its end, seconds
+   * @param time when the move ends, seconds
    * @param length metres
    * @param speed metres per second
    */
   private record Move(String target, double time, double length, double speed) {}
 
   /**
-   * @param interval between most samples of a target, seconds
+   * @param interval usual time between two samples of a target, seconds
    * @param gap the longest time between two samples of a target that is present meanwhile, seconds
-   * @param obstacles the summary reports tracks that pass through them
+   * @param obstacles obstacles; the summary reports tracks that pass through them
    */
   ImportSummary(RecordedTargets recorded, double interval, double gap, Obstacles obstacles) {
     this.recorded = recorded;
@@ -76,7 +76,7 @@ public final class ImportSummary {
   /**
    * Adds the next target of the recording.
    *
-   * @param tracks of the target; may be empty
+   * @param tracks tracks of the target; may be empty
    */
   void add(String target, List<List<Sample>> tracks) {
     Sample last = null;
@@ -92,7 +92,7 @@ public final class ImportSummary {
         times.accept(sample.time());
         xs.accept(sample.x());
         ys.accept(sample.y());
-        way.add(sample.x(), sample.y());
+        positions.add(sample.x(), sample.y());
       }
       addMoves(target, track);
       samples += track.size();
@@ -106,7 +106,7 @@ public final class ImportSummary {
 
   private void addMoves(String target, List<Sample> track) {
     List<Move> moves = new ArrayList<>();
-    Obstacles near = near(track);
+    Obstacles near = obstaclesNear(track);
     for (int i = 1; i < track.size(); i++) {
       Sample from = track.get(i - 1);
       Sample to = track.get(i);
@@ -127,7 +127,7 @@ public final class ImportSummary {
   }
 
   /** The obstacles near a track, so that not all are compared with each move. */
-  private Obstacles near(List<Sample> track) {
+  private Obstacles obstaclesNear(List<Sample> track) {
     if (obstacles.isEmpty()) {
       return obstacles;
     }
@@ -146,8 +146,8 @@ public final class ImportSummary {
   }
 
   /**
-   * The speed that a share of all moves does not exceed, rounded to a centimetre per second; NaN if
-   * there are no moves.
+   * The speed that this share of all moves does not exceed, rounded to a centimetre per second; NaN
+   * if there are no moves.
    */
   double quantile(double share) {
     sortedSpeeds = sortedSpeeds == null ? allSpeeds.build().sorted().toArray() : sortedSpeeds;
@@ -185,7 +185,7 @@ public final class ImportSummary {
     return times.getCount();
   }
 
-  /** The time between most samples of a target, seconds. */
+  /** The usual time between two samples of a target, seconds. */
   double interval() {
     return interval;
   }
@@ -206,15 +206,15 @@ public final class ImportSummary {
   }
 
   /** The positions of all samples, thinned out. */
-  Way way() {
-    return way;
+  PeoplePositions positions() {
+    return positions;
   }
 
   /**
-   * Whether the ways of all targets go through a wall. A single crossing by a single target does
+   * Whether the tracks of all targets go through a wall. A single crossing by a single target does
    * not count: one sample may be off.
    */
-  boolean isEveryWayBlocked() {
+  boolean isEveryTrackBlocked() {
     return blockedTargets > 0
         && blockedTargets == movingTargets
         && (movingTargets > 1 || 2 * blockedMoves > moves);
@@ -273,7 +273,7 @@ public final class ImportSummary {
               "%s shorter pauses between the parts of a track: the target is away meanwhile",
               pauses.getCount()));
     }
-    MathContext digits = digitsOfPlaces();
+    MathContext digits = digitsOfPositions();
     lines.add(
         "places: x from %s to %s m, y from %s to %s m"
             .formatted(
@@ -287,8 +287,8 @@ public final class ImportSummary {
     return lines;
   }
 
-  /** The digits that tell places apart, more of which a map has far from its origin. */
-  private MathContext digitsOfPlaces() {
+  /** The digits that distinguish positions; far from the origin of a map they need more. */
+  private MathContext digitsOfPositions() {
     Field box = box();
     double far =
         Math.max(

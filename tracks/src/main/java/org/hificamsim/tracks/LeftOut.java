@@ -15,13 +15,13 @@ import org.hificamsim.tracks.format.Omission;
  * sign that it is read in the wrong way.
  */
 final class LeftOut {
-  /** So many faulty rows are never too many. */
+  /** A file may have this many faulty rows, whatever their share. */
   private static final long FEW = 3;
 
-  /** The share of faulty rows from which on a file is refused. */
+  /** A file with a greater share of faulty rows is refused. */
   private static final double MAX_SHARE = 0.1;
 
-  /** A file with so many faulty rows, and no sample before, is not read to its end. */
+  /** After this many faulty rows without a sample, reading stops. */
   private static final long MANY = 10_000;
 
   private static final class Kind {
@@ -88,7 +88,7 @@ final class LeftOut {
     }
   }
 
-  /** Describes them, a line for each kind. */
+  /** Describes the omissions, in a line for each kind. */
   List<String> lines() {
     List<String> lines = new ArrayList<>();
     kinds.forEach(

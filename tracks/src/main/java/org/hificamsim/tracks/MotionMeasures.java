@@ -8,7 +8,7 @@ import java.util.stream.DoubleStream;
 import org.hificamsim.tracks.RecordedTarget.Sample;
 
 /**
- * How the targets of a recording move, before positions are rounded.
+ * Measures of how the targets of a recording move, before positions are rounded.
  *
  * @param targets the number of targets
  * @param firstTick the time of the first sample in the units of its file
@@ -30,7 +30,7 @@ record MotionMeasures(
     Set<Long> flags) {
   private static final int MAX_FLAGS = 2;
 
-  /** The most moves that are measured; of more, this many are chosen, evenly spread. */
+  /** The greatest number of moves that are measured; of more moves, an even selection is. */
   private static final long MAX_SPEEDS = 50_000;
 
   /** Measures the targets of a recording. */

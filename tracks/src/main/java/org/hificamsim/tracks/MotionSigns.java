@@ -9,10 +9,10 @@ import org.hificamsim.tracks.format.Unit;
 /**
  * Finds signs that positions or times of a recording were read in another unit than they have.
  *
- * @param unit in which positions were read
+ * @param unit the unit in which positions were read
  */
 record MotionSigns(MotionMeasures motion, Unit unit) {
-  /** The speed of those that move, metres per second, below which no recording of people is. */
+  /** Moving people are never slower than this in a recording, metres per second. */
   private static final double CRAWLING = 0.01;
 
   /** A degree is about 100 km, so that people move less than this in degrees a second. */
@@ -24,20 +24,22 @@ record MotionSigns(MotionMeasures motion, Unit unit) {
   private static final double FAST = 60;
   private static final double TOO_FAST = 100;
 
-  private static final double MAX_EXTENT = 1e5; // metres
+  /** The extent from which on positions are doubtful, metres. */
+  private static final double MAX_EXTENT = 1e5;
+
   private static final int MIN_MOVES = 10;
 
-  /** People are not recorded so seldom, seconds. */
+  /** The time between samples from which on they may be milliseconds, seconds. */
   private static final double SELDOM = 10;
 
   /** Times from here on are dates, seconds. */
   private static final double DATES = 1e8;
 
-  private static final double MILLISECONDS = 1000; // of a second
+  private static final double MILLISECONDS_PER_SECOND = 1000;
   private static final String MILLISECONDS_CURE =
       setting("columns", "frame=...") + " and " + setting("rate", "1000");
 
-  /** The sides of a square in which no target that stands has room, metres. */
+  /** A standing target needs more room than a square with this side, metres. */
   private static final double NO_ROOM = 0.1;
 
   private static final int MIN_SINGLE_SAMPLES = 3;
@@ -60,7 +62,7 @@ record MotionSigns(MotionMeasures motion, Unit unit) {
     } else if (median > FAST) {
       signs.doubt(speedsFrom(median) + ", expected " + fastCauses(median) + " unless it is so");
     }
-    addPlaceSigns(signs);
+    addPositionSigns(signs);
   }
 
   private boolean mayBeDegrees() {
@@ -70,7 +72,7 @@ record MotionSigns(MotionMeasures motion, Unit unit) {
   /** Whether whole numbers of milliseconds in place of seconds explain slow targets. */
   private boolean mayBeMilliseconds() {
     double interval = motion.interval();
-    double speed = MILLISECONDS * motion.quantile(0.5);
+    double speed = MILLISECONDS_PER_SECOND * motion.quantile(0.5);
     boolean isWhole = interval == Math.rint(interval) && motion.firstTick() < DATES;
     return interval >= SELDOM && isWhole && speed > SLOW && speed < FAST;
   }
@@ -112,7 +114,7 @@ record MotionSigns(MotionMeasures motion, Unit unit) {
     };
   }
 
-  private void addPlaceSigns(Plausibility signs) {
+  private void addPositionSigns(Plausibility signs) {
     if (motion.moves() == 0 && motion.targets() >= MIN_SINGLE_SAMPLES) {
       signs.fault(
           "no target has two samples: the ids are probably those of rows",

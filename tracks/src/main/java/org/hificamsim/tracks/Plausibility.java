@@ -8,7 +8,7 @@ import org.hificamsim.core.InputException;
 
 /**
  * Checks an import for signs that a file was not read as its author meant it. Each sign is a
- * sentence that names the likely cause and the setting that mends it.
+ * sentence that names the likely cause and the setting that fixes it.
  */
 public final class Plausibility {
   private final List<String> doubts = new ArrayList<>();

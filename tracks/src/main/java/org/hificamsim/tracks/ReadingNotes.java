@@ -24,7 +24,7 @@ final class ReadingNotes {
     firstDuplicate = duplicates++ == 0 ? place.toString() : firstDuplicate;
   }
 
-  /** Adds what was found in another file. */
+  /** Adds the oddities of another file. */
   void combine(ReadingNotes other) {
     leftOut.combine(other.leftOut);
     lines.addAll(other.lines);

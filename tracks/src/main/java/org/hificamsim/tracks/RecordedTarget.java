@@ -37,9 +37,9 @@ final class RecordedTarget {
   private final String name;
   private final List<Sample> samples = new ArrayList<>();
   private final List<LateRow> lateRows = new ArrayList<>();
-  private final Set<Double> begins = new HashSet<>(); // the times at which its parts begin
+  private final Set<Double> partStarts = new HashSet<>();
   private boolean isPaused;
-  private double partBegin; // the time of the first row of the part
+  private double partStart;
   private double latest = Double.NEGATIVE_INFINITY;
   private final DoubleSummaryStatistics widths = new DoubleSummaryStatistics();
   private final DoubleSummaryStatistics heights = new DoubleSummaryStatistics();
@@ -60,7 +60,7 @@ final class RecordedTarget {
 
   /** Makes the target absent from its last sample to the next one. */
   void pause() {
-    begins.add(partBegin);
+    partStarts.add(partStart);
     isPaused = true;
   }
 
@@ -70,7 +70,7 @@ final class RecordedTarget {
     for (Sample sample : samples) {
       renamed.samples.add(new Sample(sample.time() * unitsPerTick, sample.x(), sample.y()));
     }
-    begins.forEach(time -> renamed.begins.add(time * unitsPerTick));
+    partStarts.forEach(time -> renamed.partStarts.add(time * unitsPerTick));
     renamed.widths.combine(widths);
     renamed.heights.combine(heights);
     return renamed;
@@ -78,7 +78,7 @@ final class RecordedTarget {
 
   /** Adds the samples of the same target in another file, which are all later. */
   void append(RecordedTarget later) {
-    later.begins.stream().filter(time -> time > later.firstTime()).forEach(begins::add);
+    later.partStarts.stream().filter(time -> time > later.firstTime()).forEach(partStarts::add);
     samples.addAll(later.samples);
     widths.combine(later.widths);
     heights.combine(later.heights);
@@ -95,8 +95,8 @@ final class RecordedTarget {
   /**
    * Adds the sample of the next row.
    *
-   * @param mayBeAnother whether a row at another place than the row before, at the same time, may
-   *     be that of another target with the same name
+   * @param mayBeAnother whether a row at another position than the row before, at the same time,
+   *     may belong to another target with the same name
    * @return false if it repeats the row before, and is ignored
    * @throws InputException if it is at another place than the row before at the same time
    */
@@ -123,9 +123,9 @@ final class RecordedTarget {
 
   private void add(Sample sample) {
     if (isPaused) {
-      begins.add(sample.time());
+      partStarts.add(sample.time());
     }
-    partBegin = isPaused || samples.isEmpty() ? sample.time() : partBegin;
+    partStart = isPaused || samples.isEmpty() ? sample.time() : partStart;
     isPaused = false;
     samples.add(sample);
   }
@@ -180,7 +180,7 @@ final class RecordedTarget {
     return lateRows.stream().filter(row -> row.time() == time).findFirst().orElseThrow().place();
   }
 
-  /** Cuts the samples wherever time goes back, into targets with names of their own. */
+  /** Cuts the samples wherever time goes back, into targets with different names. */
   List<RecordedTarget> runs() {
     List<RecordedTarget> runs = new ArrayList<>();
     double last = Double.POSITIVE_INFINITY;
@@ -243,7 +243,7 @@ final class RecordedTarget {
       boolean kept = seconds >= settings.from() && seconds <= settings.to();
       if (kept && (last == null || time > last.time())) { // rounded times may be equal
         if (last == null
-            || begins.contains(sample.time())
+            || partStarts.contains(sample.time())
             || time - last.time() > gap * (1 + 1e-9)) {
           tracks.add(new ArrayList<>());
         }

@@ -11,15 +11,15 @@ import org.hificamsim.tracks.RecordedTarget.Sample;
 /**
  * The targets of a recording, in the order of their first samples in its files.
  *
- * @param targets one or more
- * @param secondsPerTick the unit of their times
- * @param notes what is odd about the files
+ * @param targets one target or more
+ * @param secondsPerTick the unit of the targets' times
+ * @param notes the oddities of the files
  */
 record RecordedTargets(
     Collection<RecordedTarget> targets, double secondsPerTick, ReadingNotes notes) {
   private static final Pattern WHOLE_NUMBER = Pattern.compile("-?(0|[1-9][0-9]{0,14})");
 
-  /** A spacing is usual if it has at least this share of all; else the median one is. */
+  /** The most frequent spacing is the usual one if it has this share; otherwise the median is. */
   private static final double USUAL_SHARE = 0.1;
 
   /** Whether the names of all targets are whole numbers, so that a scenario can use them. */
@@ -53,27 +53,28 @@ record RecordedTargets(
    */
   static double spacing(Collection<RecordedTarget> targets) {
     Map<Double, Long> counts = new TreeMap<>();
-    long all = 0;
-    double last = Double.NaN; // the spacing before, which most are equal to
-    long equal = 0;
+    long total = 0;
+    // Most spacings are equal to the one before, so we count runs of equal ones.
+    double last = Double.NaN;
+    long runLength = 0;
     for (RecordedTarget target : targets) {
       List<Sample> samples = target.samples();
       for (int i = 1; i < samples.size(); i++) {
         double exact = samples.get(i).time() - samples.get(i - 1).time();
         double spacing = Math.rint(exact * 1e6) / 1e6;
-        if (spacing != last && equal > 0) {
-          counts.merge(last, equal, Long::sum);
-          equal = 0;
+        if (spacing != last && runLength > 0) {
+          counts.merge(last, runLength, Long::sum);
+          runLength = 0;
         }
         last = spacing;
-        equal++;
-        all++;
+        runLength++;
+        total++;
       }
     }
-    if (equal > 0) {
-      counts.merge(last, equal, Long::sum);
+    if (runLength > 0) {
+      counts.merge(last, runLength, Long::sum);
     }
-    long least = (long) Math.ceil(USUAL_SHARE * all);
+    long least = (long) Math.ceil(USUAL_SHARE * total);
     return counts.entrySet().stream()
         .max(Map.Entry.comparingByValue())
         .filter(usual -> usual.getValue() >= least)
@@ -86,9 +87,9 @@ record RecordedTargets(
         counts.entrySet().stream()
             .flatMapToDouble(
                 entry -> {
-                  double[] same = new double[Math.toIntExact(entry.getValue())];
-                  Arrays.fill(same, entry.getKey());
-                  return Arrays.stream(same);
+                  double[] repeated = new double[Math.toIntExact(entry.getValue())];
+                  Arrays.fill(repeated, entry.getKey());
+                  return Arrays.stream(repeated);
                 })
             .toArray();
     return spacings.length == 0 ? 1 : spacings[spacings.length / 2];

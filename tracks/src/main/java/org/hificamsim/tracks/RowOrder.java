@@ -12,17 +12,18 @@ import org.hificamsim.tracks.format.Doubt;
 
 /**
  * Puts the rows of targets that are not in the order of time in this order. Where time goes back
- * because another recording begins, the order of time mixes both, so that targets jump to and fro.
+ * because another recording begins, the order of time mixes both, so that targets jump back and
+ * forth.
  */
 final class RowOrder {
-  /** A way that is so many times as long in the order of time is one of several recordings. */
+  /** If ways become longer than this factor in the order of time, there are several recordings. */
   private static final double MAX_RATIO = 2;
 
   private final boolean reusesIds;
   private long rows;
   private int targets;
   private int reusedIds;
-  private Place first; // null without late rows
+  private Place firstLateRow; // null without late rows
   private double lengthAsInFile;
   private double lengthInTime;
 
@@ -56,7 +57,7 @@ final class RowOrder {
     if (!target.lateRows().isEmpty()) {
       rows += target.lateRows().size();
       targets++;
-      first = first == null ? target.lateRows().get(0).place() : first;
+      firstLateRow = firstLateRow == null ? target.lateRows().get(0).place() : firstLateRow;
       lengthAsInFile += target.length();
       target.sort();
       lengthInTime += target.length();
@@ -69,7 +70,7 @@ final class RowOrder {
     if (rows > 0) {
       lines.add(
           "sorted by time: %s %s of %s targets, the first at %s"
-              .formatted(rows, rows == 1 ? "row" : "rows", targets, first));
+              .formatted(rows, rows == 1 ? "row" : "rows", targets, firstLateRow));
     }
     if (reusedIds > 0) {
       lines.add(
@@ -87,7 +88,7 @@ final class RowOrder {
                 Texts.format(
                     "time goes back at %s, and in the order of time targets move %.3g m, not"
                         + " %.3g m: another recording probably begins there",
-                    first, lengthInTime, lengthAsInFile),
+                    firstLateRow, lengthInTime, lengthAsInFile),
                 "a file for each recording, or other ids by " + setting("columns", "id=...")))
         : Optional.empty();
   }

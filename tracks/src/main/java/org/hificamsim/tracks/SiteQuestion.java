@@ -11,7 +11,7 @@ import org.hificamsim.core.scenario.spec.StepOrder;
 final class SiteQuestion {
   private static final String DETECTION = "oodpcvs-2025:level=discern";
 
-  /** The density that this detection needs. */
+  /** The pixel density that this detection needs. */
   static final double PIXELS_PER_METRE = 80;
 
   private static final String OBJECTIVE = "covered:k=1";

@@ -7,12 +7,12 @@ import org.hificamsim.core.scenario.spec.Field;
 
 /** Finds signs that a floor plan was read at a wrong scale, or with a wrong choice of walls. */
 record SiteSigns(DrawnSite site) {
-  /** A site is seldom smaller or larger than this, metres. */
+  /** Sites are seldom smaller or larger than these sizes, metres. */
   private static final double SMALL = 2;
 
   private static final double LARGE = 2_000;
 
-  /** A site of metres that were taken for degrees is larger than this, metres. */
+  /** A site larger than this has coordinates in another unit, metres. */
   private static final double HUGE = 50_000;
 
   void addTo(Plausibility signs) {
@@ -25,13 +25,13 @@ record SiteSigns(DrawnSite site) {
     } else if (longer < SMALL || longer > LARGE) {
       signs.doubt(size + ", expected " + cure + " if it is not");
     }
-    double held = WallSigns.held(site.obstacles(), site.way(false).points());
-    if (held >= WallSigns.NEARLY_ALL) {
+    double shareInSolid = WallSigns.shareInSolid(site.obstacles(), site.positions(false).points());
+    if (shareInSolid >= WallSigns.NEARLY_ALL) {
       signs.fault(
           Texts.format(
               "a solid fills %.0f %% of the plan: it is probably the area that people walk in, or"
                   + " the background of the page",
-              100 * held),
+              100 * shareInSolid),
           setting("walkable") + ", which makes its border walls, or " + setting("layers"));
     }
   }

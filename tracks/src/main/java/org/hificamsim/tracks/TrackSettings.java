@@ -11,8 +11,8 @@ import org.hificamsim.core.scenario.spec.Extent;
  *     three times the usual time by default
  * @param from the start of the part that is kept, seconds from the first sample
  * @param to the end of the part that is kept, seconds from the first sample
- * @param size of targets without a box, metres
- * @param extent of targets without a box; if present, it is used instead of the size
+ * @param size size of targets without a box, metres
+ * @param extent extent of targets without a box; if present, it replaces the size
  */
 public record TrackSettings(
     OptionalDouble gap, double from, double to, double size, Optional<Extent> extent) {}

@@ -26,7 +26,7 @@ public final class TrackedSite {
   private final DraftCameras draft;
 
   /**
-   * @param summary of the tracks
+   * @param summary the findings about the tracks
    */
   public TrackedSite(SiteSettings settings, ImportSummary summary) {
     this.settings = settings;
@@ -36,7 +36,11 @@ public final class TrackedSite {
     this.obstacles = new Obstacles(settings.walls());
     this.draft =
         new DraftCameras(
-            field, obstacles, summary.way(), settings.cameras(), SiteQuestion.PIXELS_PER_METRE);
+            field,
+            obstacles,
+            summary.positions(),
+            settings.cameras(),
+            SiteQuestion.PIXELS_PER_METRE);
   }
 
   private Field field(Field box) {
@@ -71,9 +75,9 @@ public final class TrackedSite {
     return obstacles;
   }
 
-  /** Says that no draft camera sees anybody; empty if one does. */
+  /** A warning that no draft camera sees anybody; empty if one does. */
   Optional<String> blindDraft() {
-    return draft.blind();
+    return draft.blindnessWarning();
   }
 
   /** The objective, detection and steps of the scenario, in one line. */

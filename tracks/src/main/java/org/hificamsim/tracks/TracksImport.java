@@ -35,7 +35,7 @@ public final class TracksImport {
       List<FormatChoice> files, Optional<Homography> homography, LocalProjection projection) {
     this.files = List.copyOf(files);
     recorded =
-        FileTargets.together(
+        FileTargets.combine(
             files.stream()
                 .map(file -> Collector.read(file, unit -> Ground.of(unit, homography, projection)))
                 .toList());
@@ -47,9 +47,9 @@ public final class TracksImport {
    * Writes the tracks. Targets keep their names if all are whole numbers, otherwise they become 1,
    * 2, 3, ... in the order of their first samples.
    *
-   * @param obstacles the summary reports tracks that pass through them
+   * @param obstacles obstacles; the summary reports tracks that pass through them
    * @param out receives the text of the file
-   * @return what the tracks are like
+   * @return the findings about the tracks
    * @throws org.hificamsim.core.InputException if the settings leave no samples of the recording
    */
   public ImportSummary write(TrackSettings settings, Obstacles obstacles, Appendable out)

@@ -8,21 +8,21 @@ import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
 
-/** Finds signs that walls are not where the recording has them. */
+/** Finds signs that the walls do not fit the recording. */
 record WallSigns(ImportSummary summary, Obstacles obstacles) {
-  /** The share of samples in an obstacle from which on it is taken for a walkable area. */
+  /** An obstacle with at least this share of the samples is probably a walkable area. */
   static final double NEARLY_ALL = 0.9;
 
   void addTo(Plausibility signs) {
-    double held = held(obstacles, summary.way().points());
-    if (held >= NEARLY_ALL) {
+    double shareInSolid = shareInSolid(obstacles, summary.positions().points());
+    if (shareInSolid >= NEARLY_ALL) {
       signs.fault(
           Texts.format(
               "a solid of the walls holds %.0f %% of the samples: it is probably the area that"
                   + " people walk in",
-              100 * held),
+              100 * shareInSolid),
           setting("walkable") + ", which makes its border walls");
-    } else if (summary.isEveryWayBlocked()) {
+    } else if (summary.isEveryTrackBlocked()) {
       signs.fault(
           "every way goes through a wall: walls and recording probably differ in unit or origin",
           Texts.format(
@@ -30,8 +30,8 @@ record WallSigns(ImportSummary summary, Obstacles obstacles) {
     }
   }
 
-  /** The greatest share of some points that one solid holds. */
-  static double held(Obstacles obstacles, List<Point> points) {
+  /** The greatest share of points that lie in the same solid. */
+  static double shareInSolid(Obstacles obstacles, List<Point> points) {
     long most =
         obstacles.all().stream()
             .filter(obstacle -> obstacle.standing() && !(obstacle instanceof Obstacle.Wall))

@@ -158,7 +158,7 @@ class DxfWallsTest {
   }
 
   @Test
-  void leavesOutAndCountsTheRest() {
+  void leavesOutAndCountsOtherEntities() {
     String layers = "0 LAYER 2 OFF 70 0 62 -7 0 LAYER 2 ICE 70 1 62 7 0 LAYER 2 LOCKED 70 4 62 7 ";
     String blocks = "0 BLOCK 2 FAR 70 4 1 http://127.0.0.1:9/far.dxf 0 ENDBLK ";
     String entities =
@@ -194,7 +194,7 @@ class DxfWallsTest {
         "1/SECTION/0/EOF|a.dxf:2:1: expected a section, or EOF",
         "0/EOF|a.dxf: no wall is drawn, expected lines",
       })
-  void rejectsWhatIsNoDxf(String text, String message) {
+  void rejectsFilesThatAreNotDxf(String text, String message) {
     String content = text.replace('/', '\n');
     InputException error =
         assertThrows(InputException.class, () -> drawing(content, StandardCharsets.UTF_8));
@@ -217,8 +217,8 @@ class DxfWallsTest {
 
   @Test
   void stopsBlocksThatInsertEachOther() {
-    String itself = "0 BLOCK 2 A 0 INSERT 2 A 0 LINE 11 1 0 ENDBLK ";
-    Drawing drawing = drawing(dxf("", itself, "0 INSERT 2 A"), StandardCharsets.UTF_8);
+    String selfInserting = "0 BLOCK 2 A 0 INSERT 2 A 0 LINE 11 1 0 ENDBLK ";
+    Drawing drawing = drawing(dxf("", selfInserting, "0 INSERT 2 A"), StandardCharsets.UTF_8);
     assertEquals("left out: 1 insert of itself", drawing.leftOut().orElseThrow());
     StringBuilder bomb = new StringBuilder();
     for (int i = 0; i < 30; i++) {
@@ -236,7 +236,9 @@ class DxfWallsTest {
     assertTrue(error.getMessage().contains("INSERT draws too much"), error::getMessage);
     assertThrows(
         InputException.class,
-        () -> drawing(dxf("", itself, "0 INSERT 2 A 70 32767 71 32767"), StandardCharsets.UTF_8));
+        () ->
+            drawing(
+                dxf("", selfInserting, "0 INSERT 2 A 70 32767 71 32767"), StandardCharsets.UTF_8));
   }
 
   @Test

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Files as other programs and countries write them: read, or refused with a way out. */
+/** Tests files as other programs and countries write them: read, or refused with a remedy. */
 class ForeignFilesTest {
   @TempDir Path folder;
 
@@ -22,7 +22,7 @@ class ForeignFilesTest {
   @ValueSource(strings = {" ", "\t", ";", ","})
   void readsTextOfJuPedSimBetweenAnySeparators(String separator) {
     Imported imported = new Imported(folder).unit(Unit.M);
-    imported.of(
+    imported.read(
         "auto",
         """
         #description: a corridor
@@ -51,7 +51,7 @@ class ForeignFilesTest {
       })
   void readsTimesOfOtherCountries(String first, String second) {
     Imported imported = new Imported(folder).unit(Unit.M);
-    imported.of("csv", "time,id,x,y\n%s,1,0,0\n%s,1,1,0\n".formatted(first, second));
+    imported.read("csv", "time,id,x,y\n%s,1,0,0\n%s,1,1,0\n".formatted(first, second));
     assertEquals("target 1 size 0.66;0 0 0;1 0;", imported.tracks());
   }
 
@@ -78,7 +78,7 @@ class ForeignFilesTest {
     InputException error =
         assertThrows(
             InputException.class,
-            () -> new Imported(folder).unit(Unit.M).of("csv", "time;id;x;y\n0;1;" + x + ";0\n"));
+            () -> new Imported(folder).unit(Unit.M).read("csv", "time;id;x;y\n0;1;" + x + ";0\n"));
     String message = "recording:2:5: x is '" + x + "', expected a number from -1e9 to 1e9 without";
     assertTrue(error.getMessage().contains(message), error::getMessage);
   }
@@ -86,17 +86,17 @@ class ForeignFilesTest {
   @Test
   void readsMillisecondsThatColumnNames() {
     Imported imported = new Imported(folder).unit(Unit.M).columns(Map.of("time", "t [ms]"));
-    imported.of("csv", "t [ms],id,x,y\n0,1,0,0\n500,1,1,0\n1000,1,2,0\n");
+    imported.read("csv", "t [ms],id,x,y\n0,1,0,0\n500,1,1,0\n1000,1,2,0\n");
     assertEquals("target 1 size 0.66;0 0 0;1 0;2 0;", imported.tracks());
     Imported unix = new Imported(folder).unit(Unit.M).columns(Map.of("time", "timestamp_ms"));
-    unix.of("csv", "timestamp_ms,id,x,y\n1700000000000,1,0,0\n1700000000500,1,1,0\n");
+    unix.read("csv", "timestamp_ms,id,x,y\n1700000000000,1,0,0\n1700000000500,1,1,0\n");
     assertEquals("target 1 size 0.66;0 0 0;1 0;", unix.tracks());
   }
 
   @Test
   void readsUnixTimesInColumnOfFrames() {
     Imported imported = new Imported(folder).unit(Unit.M);
-    imported.of("auto", "frame,id,x,y\n1700000000000,1,0,0\n1700000000500,1,1,0\n");
+    imported.read("auto", "frame,id,x,y\n1700000000000,1,0,0\n1700000000500,1,1,0\n");
     assertEquals("target 1 size 0.66;0 0 0;1 0;", imported.tracks());
   }
 
@@ -112,7 +112,7 @@ class ForeignFilesTest {
         "mot|1,-1,9,9,9,9,1,0,0,0~1,-1,99,9,9,9,1,1,0,0|id is -1, which is a detection of no"
             + " target, expected the tracks that a tracker has made of them",
       })
-  void namesWayOut(String format, String content, String message) {
+  void errorsNameTheRemedy(String format, String content, String message) {
     Imported imported = new Imported(folder);
     if (!format.equals("gpx")) {
       imported.unit(Unit.M);
@@ -121,26 +121,26 @@ class ForeignFilesTest {
       imported.rate(10);
     }
     InputException error =
-        assertThrows(InputException.class, () -> imported.of(format, content.replace('~', '\n')));
+        assertThrows(InputException.class, () -> imported.read(format, content.replace('~', '\n')));
     assertTrue(error.getMessage().contains(message), error::getMessage);
   }
 
   @Test
-  void refusesLatitudeForX() {
+  void refusesColumnOfLatitudesForX() {
     Imported imported = new Imported(folder).unit(Unit.DEG).columns(Map.of("x", "Lat", "y", "Lon"));
     InputException error =
         assertThrows(
-            InputException.class, () -> imported.of("csv", "time,id,Lat,Lon\n0,1,48.2,16.3\n"));
+            InputException.class, () -> imported.read("csv", "time,id,Lat,Lon\n0,1,48.2,16.3\n"));
     assertTrue(
         error.getMessage().contains(":1:9: x is the column 'lat', expected the longitude"),
         error::getMessage);
   }
 
   @Test
-  void leavesDetectionsAmongTracksOut() {
+  void leavesOutDetectionsAmongTracks() {
     Imported imported = new Imported(folder).unit(Unit.M).rate(10);
     ImportSummary found =
-        imported.of("mot", "1,3,9,9,9,9,1,0,0,0\n1,-1,9,9,9,9,1,5,0,0\n2,3,9,9,9,9,1,1,0,0\n");
+        imported.read("mot", "1,3,9,9,9,9,1,0,0,0\n1,-1,9,9,9,9,1,5,0,0\n2,3,9,9,9,9,1,1,0,0\n");
     assertEquals("target 3 size 0.66;0 0 0;1 0;", imported.tracks());
     assertTrue(
         found.lines().toString().contains("left out: 1 entry without an id"),
@@ -151,7 +151,8 @@ class ForeignFilesTest {
   void keepsDigitsFarFromOrigin() {
     Imported imported = new Imported(folder).unit(Unit.M);
     ImportSummary found =
-        imported.of("csv", "time,id,x,y\n0,1,32601234.567,5340987.123\n1,1,32601235.068,5340988\n");
+        imported.read(
+            "csv", "time,id,x,y\n0,1,32601234.567,5340987.123\n1,1,32601235.068,5340988\n");
     assertEquals(
         "target 1 size 0.66;0 32601234.567 5340987.123;32601235.068 5340988;", imported.tracks());
     assertTrue(

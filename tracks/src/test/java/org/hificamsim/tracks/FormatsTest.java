@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Each format, with a small file. */
+/** Tests each format with a small file. */
 class FormatsTest {
   private static final String GPX =
       """
@@ -29,7 +29,7 @@ class FormatsTest {
   void readsObsmat() {
     Imported imported = new Imported(folder).rate(25);
     ImportSummary found =
-        imported.of(
+        imported.read(
             "obsmat",
             """
                1.000000e+00   1.000000e+00  -2.829260e+00   0.0e+00   1.895935e+01   0 0 -1.3
@@ -45,14 +45,14 @@ class FormatsTest {
   @Test
   void readsEthUcySeparatedByTabsAndSpaces() {
     Imported imported = new Imported(folder).rate(2.5);
-    imported.of("ethucy", "10\t1.0\t2.5\t3\n11\t1.0\t 3.5 4\n");
+    imported.read("ethucy", "10\t1.0\t2.5\t3\n11\t1.0\t 3.5 4\n");
     assertEquals("target 1 size 0.66;0 2.5 3;3.5 4;", imported.tracks());
   }
 
   @Test
   void countsTrajNetSamplesBySceneRate() {
     Imported imported = new Imported(folder);
-    ImportSummary found = imported.of("trajnet", trajNet());
+    ImportSummary found = imported.read("trajnet", trajNet());
     assertEquals("target 7 size 0.66;0 1 2;1.5 2;2 2;", imported.tracks());
     assertEquals(0.4, found.interval());
   }
@@ -60,7 +60,7 @@ class FormatsTest {
   @Test
   void countsTrajNetFramesByGivenRate() {
     Imported imported = new Imported(folder).rate(6);
-    assertEquals(1, imported.of("trajnet", trajNet()).interval());
+    assertEquals(1, imported.read("trajnet", trajNet()).interval());
   }
 
   private static String trajNet() {
@@ -76,7 +76,7 @@ class FormatsTest {
   void readsMotPositionsInWorld() {
     Imported imported = new Imported(folder).rate(10).unit(Unit.CM);
     ImportSummary found =
-        imported.of(
+        imported.read(
             "mot", "1,3,10,20,30,60,1,100,250,0\n2,3,10,20,30,60,1,200,250,0\n2,4,0,0,1,1,0,5,5,0");
     assertEquals("target 3 size 0.66;0 1 2.5;2 2.5;", imported.tracks());
     assertEquals(0, found.targetsWithSize());
@@ -86,7 +86,7 @@ class FormatsTest {
   void convertsMotBoxesByHomography() {
     Imported imported =
         new Imported(folder).rate(10).unit(Unit.PX).homography("0.1 0 0\n0 -0.1 50\n0 0 1\n");
-    ImportSummary found = imported.of("mot", "1,3,100,20,10,40,1,-1,-1,-1\n");
+    ImportSummary found = imported.read("mot", "1,3,100,20,10,40,1,-1,-1,-1\n");
     assertEquals("target 3 width 1 height 4;0 10.5 44;", imported.tracks());
     assertEquals(1, found.targetsWithSize());
   }
@@ -95,7 +95,7 @@ class FormatsTest {
   void readsMotRowsThatEndWithBox() {
     Imported imported =
         new Imported(folder).rate(10).unit(Unit.PX).homography("1 0 0\n0 1 0\n0 0 1\n");
-    imported.of("mot", "1,3,100,20,10,40\n2,3,110,20,0,0\n");
+    imported.read("mot", "1,3,100,20,10,40\n2,3,110,20,0,0\n");
     assertEquals("target 3 width 10 height 40;0 105 60;110 20;", imported.tracks());
   }
 
@@ -117,14 +117,14 @@ class FormatsTest {
   void ignoresClassAndVisibilityOfMot16() {
     Imported imported =
         new Imported(folder).rate(10).unit(Unit.PX).homography("1 0 0\n0 1 0\n0 0 1\n");
-    imported.of("mot", "1,3,100,20,10,40,1,1,0.9\n");
+    imported.read("mot", "1,3,100,20,10,40,1,1,0.9\n");
     assertEquals("target 3 width 10 height 40;0 105 60;", imported.tracks());
   }
 
   @Test
   void readsRateAndUnitOfPeTrack() {
     Imported imported = new Imported(folder);
-    imported.of(
+    imported.read(
         "petrack",
         "# PeTrack\n"
             + "# framerate: 16.00 fps\n"
@@ -145,7 +145,7 @@ class FormatsTest {
   @Test
   void readsFloatingCarDataInSecondsAndMetres() {
     Imported imported = new Imported(folder);
-    imported.of(
+    imported.read(
         "fcd",
         """
 <?xml version="1.0" encoding="UTF-8"?>
@@ -162,7 +162,7 @@ class FormatsTest {
   @Test
   void projectsGpxToMetres() {
     Imported imported = new Imported(folder);
-    imported.of("gpx", GPX);
+    imported.read("gpx", GPX);
     assertEquals("target 1 size 0.66;0 0 0;0 100.075;", imported.tracks());
   }
 
@@ -183,7 +183,7 @@ class FormatsTest {
   @Test
   void readsFloatingCarDataInDegrees() {
     Imported imported = new Imported(folder).unit(Unit.DEG);
-    imported.of(
+    imported.read(
         "fcd",
         "<f><timestep time='0'><person id='a' x='16' y='48'/></timestep>"
             + "<timestep time='1'><person id='a' x='16.001' y='48'/></timestep></f>");
@@ -192,13 +192,13 @@ class FormatsTest {
 
   @Test
   void readsFractionsOfSeconds() {
-    assertEquals(10.5, new Imported(folder).of("gpx", GPX).interval());
+    assertEquals(10.5, new Imported(folder).read("gpx", GPX).interval());
   }
 
   @Test
   void readsColumnsByNameAndNumber() {
     Imported imported = new Imported(folder).unit(Unit.M).columns(Map.of("x", "4", "y", "north"));
-    imported.of("csv", "time,id,north,east,width,height\n0,1,2,3,1e9,1\n");
+    imported.read("csv", "time,id,north,east,width,height\n0,1,2,3,1e9,1\n");
     assertEquals("target 1 width 1000000000 height 1;0 3 2;", imported.tracks());
     assertRejected(
         new Imported(folder).unit(Unit.M).columns(Map.of("x", "5", "y", "y")),
@@ -215,7 +215,7 @@ class FormatsTest {
   @Test
   void ignoresGeoJsonFeaturesWithoutPositions() {
     Imported imported = new Imported(folder).unit(Unit.M);
-    imported.of(
+    imported.read(
         "geojson",
         """
 {"features": [
@@ -229,7 +229,7 @@ class FormatsTest {
   @Test
   void readsGeoJsonLines() {
     Imported imported = new Imported(folder).unit(Unit.M);
-    imported.of(
+    imported.read(
         "geojson",
         """
         {"type": "FeatureCollection", "features": [{"type": "Feature",
@@ -242,7 +242,7 @@ class FormatsTest {
   @Test
   void readsGeoJsonPoints() {
     Imported imported = new Imported(folder).unit(Unit.M).columns(Map.of("id", "who"));
-    imported.of(
+    imported.read(
         "geojson",
         """
         {"features": [
@@ -270,7 +270,7 @@ class FormatsTest {
                 Map.of(
                     "time", "t", "id", "who", "x", "east", "y", "north", "width", "w", "height",
                     "h"));
-    imported.of(
+    imported.read(
         "csv",
         "north;east;\"who\";t;w;h\n1000;2000;\"a;b\";0,5;1;1\n".replace("0,5", "0.5")
             + "1000;3000;\"a;b\";1;1;1\n");
@@ -284,7 +284,7 @@ class FormatsTest {
             .unit(Unit.M)
             .rate(2)
             .columns(Map.of("frame", "1", "id", "2", "x", "3", "y", "4"));
-    imported.of("csv", "0,1,2,3\n1,1,2.5,3\n");
+    imported.read("csv", "0,1,2,3\n1,1,2.5,3\n");
     assertEquals("target 1 size 0.66;0 2 3;2.5 3;", imported.tracks());
   }
 
@@ -349,9 +349,10 @@ class FormatsTest {
         "csv|time,id,x,y;0,1,2,3;1,1|with another number of columns|:3:1: the row has 2 cells",
         "petrack|1 1 1 1;1 2 nan nan|without a place|:2:5: x is 'nan', expected a number",
       })
-  void leavesOutOddRowsAndNamesFirst(String format, String content, String kind, String first) {
+  void leavesOutOddRowsAndReportsTheFirst(
+      String format, String content, String kind, String first) {
     Imported imported = new Imported(folder).rate(1).unit(Unit.M);
-    ImportSummary found = imported.of(format, content.replace(';', '\n'));
+    ImportSummary found = imported.read(format, content.replace(';', '\n'));
     String line =
         found.lines().stream()
             .filter(text -> text.startsWith("left out: 1 entry "))
@@ -361,10 +362,11 @@ class FormatsTest {
   }
 
   @Test
-  void ignoresSizesThatAreNone() {
+  void ignoresInvalidSizes() {
     Imported imported = new Imported(folder).unit(Unit.M);
     ImportSummary found =
-        imported.of("csv", "time,id,x,y,width\n0,1,2,3,0\n0,2,2,3,1.8\n0,3,1,1,1e10\n0,4,0,0,-1\n");
+        imported.read(
+            "csv", "time,id,x,y,width\n0,1,2,3,0\n0,2,2,3,1.8\n0,3,1,1,1e10\n0,4,0,0,-1\n");
     assertEquals(1, found.targetsWithSize());
     assertTrue(imported.tracks().contains("target 2 width 1.8 height 1.8;"), imported.tracks());
   }
@@ -376,7 +378,7 @@ class FormatsTest {
   }
 
   @Test
-  void rejectsOtherUnits() {
+  void rejectsUnitsThatTheFormatDoesNotHave() {
     assertRejected(
         new Imported(folder).unit(Unit.CM),
         "fcd",
@@ -386,7 +388,7 @@ class FormatsTest {
 
   private static void assertRejected(
       Imported imported, String format, String content, String message) {
-    InputException error = assertThrows(InputException.class, () -> imported.of(format, content));
+    InputException error = assertThrows(InputException.class, () -> imported.read(format, content));
     assertTrue(error.getMessage().contains(message), error::getMessage);
   }
 }

@@ -15,7 +15,7 @@ import org.hificamsim.tracks.ground.LocalProjection;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Conversion of pixels and degrees to metres on the ground. */
+/** Tests the conversion of pixels and degrees to metres on the ground. */
 class GroundTest {
   private static final Place PLACE = new Place("file", 7, 1);
 

@@ -73,42 +73,42 @@ final class Imported {
   }
 
   /** Imports a file with this content, writes the tracks next to it, and returns the summary. */
-  ImportSummary of(String format, String content) {
-    return ofFile(format, written("recording", content));
+  ImportSummary read(String format, String content) {
+    return readFile(format, written("recording", content));
   }
 
-  /** Imports as {@link #of}, and refuses what is left out too often. */
+  /** Imports as {@link #read}, and refuses a file with too many omissions. */
   ImportSummary checked(String format, String content) {
-    ImportSummary summary = of(format, content);
+    ImportSummary summary = read(format, content);
     Plausibility signs = Plausibility.of(summary.notes());
     signs.signs(false);
     return summary;
   }
 
   /** Imports several files together. */
-  ImportSummary ofAll(String format, String... contents) {
+  ImportSummary readAll(String format, String... contents) {
     List<Path> files = new ArrayList<>();
     for (String content : contents) {
       files.add(written("recording-" + files.size(), content));
     }
-    return ofFiles(format, files);
+    return readFiles(format, files);
   }
 
-  ImportSummary ofFile(String format, Path file) {
-    return ofFiles(format, List.of(file));
+  ImportSummary readFile(String format, Path file) {
+    return readFiles(format, List.of(file));
   }
 
-  private ImportSummary ofFiles(String format, List<Path> files) {
+  private ImportSummary readFiles(String format, List<Path> files) {
     List<FormatChoice> recordings =
         files.stream()
             .map(file -> FormatChoice.of(format, new Recording(file, rate, unit, columns)))
             .toList();
     TrackSettings settings =
         new TrackSettings(gap, from, to, TargetSpec.DEFAULT_SIZE, Optional.empty());
-    TracksImport read = new TracksImport(recordings, homography, new LocalProjection());
+    TracksImport imported = new TracksImport(recordings, homography, new LocalProjection());
     try (OutputFolder out = new OutputFolder(folder)) {
       StringBuilder text = new StringBuilder();
-      ImportSummary summary = read.write(settings, new Obstacles(walls), text);
+      ImportSummary summary = imported.write(settings, new Obstacles(walls), text);
       out.write("made.tracks", text.toString());
       out.commit(List.of());
       return summary;

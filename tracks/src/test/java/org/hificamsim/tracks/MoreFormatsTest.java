@@ -9,7 +9,7 @@ import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Formats of drones, splines and simulators, with small files. */
+/** Tests formats of drones, splines and simulators with small files. */
 class MoreFormatsTest {
   private static final String ONE_TO_ONE = "1 0 0\n0 1 0\n0 0 1\n";
   private static final String VSP =
@@ -42,7 +42,7 @@ class MoreFormatsTest {
   void readsMiddlesOfDroneBoxes() {
     Imported imported = pixels();
     ImportSummary found =
-        imported.of(
+        imported.read(
             "auto",
             """
             0 700 300 740 400 10 0 0 0 "Cart"
@@ -58,7 +58,7 @@ class MoreFormatsTest {
   @Test
   void samplesStraightSplinesEvenly() {
     Imported imported = pixels();
-    imported.of("auto", VSP);
+    imported.read("auto", VSP);
     assertEquals(
         "target 1 size 0.66;0 0 -10;10 -10;20 -10;30 -10;40 -10;target 2 size 0.66;0.3 5 6;",
         imported.tracks());
@@ -68,7 +68,7 @@ class MoreFormatsTest {
   @Test
   void bendsSplinesBetweenControlPoints() {
     Imported imported = pixels();
-    imported.of("vsp", "1\n3\n0 0 0 0\n10 0 20 0\n10 10 40 0\n");
+    imported.read("vsp", "1\n3\n0 0 0 0\n10 0 20 0\n10 10 40 0\n");
     assertEquals(
         "target 1 size 0.66;0 0 0;5.625 -0.625;10 0;10.625 4.375;10 10;", imported.tracks());
   }
@@ -85,14 +85,14 @@ class MoreFormatsTest {
 
   private void assertRefused(String format, String content, String message) {
     Imported imported = pixels();
-    InputException error = assertThrows(InputException.class, () -> imported.of(format, content));
+    InputException error = assertThrows(InputException.class, () -> imported.read(format, content));
     assertTrue(error.getMessage().contains(message), error::getMessage);
   }
 
   @Test
   void readsFootStepsOfVadere() {
     Imported imported = new Imported(folder);
-    imported.of("auto", STEPS);
+    imported.read("auto", STEPS);
     assertEquals(
         "target 1 size 0.66;0 0 1;1 1;2 1;target 2 size 0.66;0 5 5;0.4 5 4;5 4;1.3 5 3;",
         imported.tracks());
@@ -101,7 +101,7 @@ class MoreFormatsTest {
   @Test
   void countsTimeStepsOfOldVadere() {
     Imported imported = new Imported(folder).rate(2.5);
-    imported.of("auto", "timeStep pedestrianId x-PID1 y-PID1\n1 3 0.5 1\n2 3 1.0 1\n3 3 NaN 1\n");
+    imported.read("auto", "timeStep pedestrianId x-PID1 y-PID1\n1 3 0.5 1\n2 3 1.0 1\n3 3 NaN 1\n");
     assertEquals("target 3 size 0.66;0 0.5 1;1 1;", imported.tracks());
   }
 }

@@ -22,7 +22,7 @@ import org.hificamsim.tracks.place.WallFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Walls of which a part cannot be read. */
+/** Tests walls that can be read only in part. */
 class OddWallsTest {
   @TempDir Path folder;
 
@@ -42,7 +42,7 @@ class OddWallsTest {
   }
 
   @Test
-  void leavesCurvesOfWellKnownTextOut() {
+  void leavesOutCurvesOfWellKnownText() {
     Drawing drawing =
         drawing(
             "a.wkt",
@@ -82,7 +82,7 @@ class OddWallsTest {
   }
 
   @Test
-  void leavesOddHeightsOut() {
+  void leavesOutOddHeights() {
     String wall =
         "{\"type\": \"Feature\", \"properties\": {\"height\": %s}, \"geometry\": {\"type\":"
             + " \"LineString\", \"coordinates\": [[1, %s], [3, 4]]}}";
@@ -107,7 +107,7 @@ class OddWallsTest {
   }
 
   @Test
-  void saysThatChosenLayersAreHidden() {
+  void reportsChosenLayersThatAreHidden() {
     String dxf =
         ("0 SECTION 2 HEADER 9 $INSUNITS 70 6 0 ENDSEC 0 SECTION 2 TABLES 0 LAYER 2 Cold 70 1 62 7"
                 + " 0 ENDSEC 0 SECTION 2 ENTITIES 0 LINE 8 Cold 10 0 20 0 11 4 21 0"

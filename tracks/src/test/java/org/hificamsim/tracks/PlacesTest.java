@@ -24,16 +24,16 @@ import org.hificamsim.tracks.ground.LocalProjection;
 import org.hificamsim.tracks.place.DraftCameras;
 import org.hificamsim.tracks.place.DrawingSettings;
 import org.hificamsim.tracks.place.LayerChoice;
+import org.hificamsim.tracks.place.PeoplePositions;
 import org.hificamsim.tracks.place.PictureFrame;
 import org.hificamsim.tracks.place.PlanScale;
 import org.hificamsim.tracks.place.WallFile;
-import org.hificamsim.tracks.place.Way;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Walls, floor plans and drafts of cameras. */
+/** Tests walls, floor plans and drafts of cameras. */
 class PlacesTest {
   private static final PictureFrame FRAME = new PictureFrame(new PlanScale.PerUnit(0.5), 10, 20);
 
@@ -53,7 +53,7 @@ class PlacesTest {
   @Test
   void readsWallsOfZara01() {
     Path file = Reference.file("tracks/zara01-map.xml");
-    assertEquals(7, WallsOf.file(file, Unit.M, Optional.empty()).size());
+    assertEquals(7, TestWalls.obstacles(file, Unit.M, Optional.empty()).size());
   }
 
   @Test
@@ -173,7 +173,8 @@ class PlacesTest {
   void requiresScaleForDrawings() {
     Path file = written("a.svg", "<svg height='10'/>");
     InputException error =
-        assertThrows(InputException.class, () -> WallsOf.file(file, Unit.M, Optional.empty()));
+        assertThrows(
+            InputException.class, () -> TestWalls.obstacles(file, Unit.M, Optional.empty()));
     assertTrue(error.getMessage().endsWith("the metres of a unit of the drawing"));
   }
 
@@ -190,7 +191,8 @@ class PlacesTest {
   void placesDraftCamerasOnBorderLookingInside() {
     Field field = new Field(0, 100, 0, 50);
     Obstacles walls = new Obstacles(List.of(new Obstacle.Pillar(0, 0, 3, 0)));
-    List<CameraSpec> cameras = new DraftCameras(field, walls, new Way(), 6, 80).cameras();
+    List<CameraSpec> cameras =
+        new DraftCameras(field, walls, new PeoplePositions(), 6, 80).cameras();
     assertEquals(
         6, cameras.stream().map(camera -> camera.x() + " " + camera.y()).distinct().count());
     for (CameraSpec camera : cameras) {
@@ -203,7 +205,7 @@ class PlacesTest {
   }
 
   private List<Obstacle> walls(String name, String content, Unit unit) {
-    return WallsOf.file(written(name, content), unit, Optional.of(FRAME));
+    return TestWalls.obstacles(written(name, content), unit, Optional.of(FRAME));
   }
 
   private Path written(String name, String content) {

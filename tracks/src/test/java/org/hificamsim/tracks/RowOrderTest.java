@@ -15,7 +15,7 @@ import org.hificamsim.tracks.format.Unit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Rows that are not in the order of time. */
+/** Tests rows that are not in the order of time. */
 class RowOrderTest {
   @TempDir Path folder;
 
@@ -27,7 +27,7 @@ class RowOrderTest {
   void sortsRowsByTime() {
     Imported imported = table();
     ImportSummary found =
-        imported.of("csv", "time,id,x,y\n0,1,0,0\n2,1,2,0\n1,1,1,0\n3,1,3,0\n0,2,5,5\n");
+        imported.read("csv", "time,id,x,y\n0,1,0,0\n2,1,2,0\n1,1,1,0\n3,1,3,0\n0,2,5,5\n");
     assertEquals(
         "target 1 size 0.66;0 0 0;1 0;2 0;3 0;target 2 size 0.66;0 5 5;", imported.tracks());
     String line = "sorted by time: 1 row of 1 targets, the first at ";
@@ -44,12 +44,12 @@ class RowOrderTest {
       }
     }
     Imported inOrder = table();
-    inOrder.of("csv", "time,id,x,y\n" + String.join("", rows));
+    inOrder.read("csv", "time,id,x,y\n" + String.join("", rows));
     String expected = inOrder.tracks().replaceAll("target \\d", "target");
     for (int seed = 0; seed < 5; seed++) {
       Collections.shuffle(rows, new Random(seed));
       Imported shuffled = table();
-      shuffled.of("csv", "time,id,x,y\n" + String.join("", rows));
+      shuffled.read("csv", "time,id,x,y\n" + String.join("", rows));
       assertEquals(
           sortedTargets(expected),
           sortedTargets(shuffled.tracks().replaceAll("target \\d", "target")));
@@ -63,7 +63,7 @@ class RowOrderTest {
   @Test
   void countsLateDuplicatesOnce() {
     Imported imported = table();
-    imported.of("csv", "time,id,x,y\n0,1,0,0\n1,1,1,0\n0,1,0,0\n2,1,2,0\n");
+    imported.read("csv", "time,id,x,y\n0,1,0,0\n1,1,1,0\n0,1,0,0\n2,1,2,0\n");
     assertEquals("target 1 size 0.66;0 0 0;1 0;2 0;", imported.tracks());
   }
 
@@ -72,15 +72,15 @@ class RowOrderTest {
     InputException error =
         assertThrows(
             InputException.class,
-            () -> table().of("csv", "time,id,x,y\n0,1,0,0\n1,1,1,0\n0,1,9,0\n"));
+            () -> table().read("csv", "time,id,x,y\n0,1,0,0\n1,1,1,0\n0,1,9,0\n"));
     String message = "recording:4:1: target 1 is at two places at time 0.0, expected one sample";
     assertTrue(error.getMessage().contains(message), error::getMessage);
   }
 
   @Test
-  void keepsPausesOfLaterPartsThatComeFirst() {
+  void keepsPausesIfLaterPartsComeFirst() {
     Imported imported = new Imported(folder);
-    imported.of(
+    imported.read(
         "gpx",
         """
         <gpx><trk><trkseg>
@@ -95,7 +95,7 @@ class RowOrderTest {
   }
 
   @Test
-  void takesPedestriansOfScenesForOthers() {
+  void pedestriansOfDifferentScenesAreDifferentTargets() {
     StringBuilder text = new StringBuilder();
     for (int scene = 0; scene < 2; scene++) {
       for (int frame = 0; frame <= 20; frame += 10) {
@@ -105,21 +105,21 @@ class RowOrderTest {
       }
     }
     Imported imported = new Imported(folder).rate(10);
-    imported.of("trajnet", text.toString());
+    imported.read("trajnet", text.toString());
     String expected = "target 1 size 0.66;0 0 0;1 0;2 0;target 2 size 0.66;0 0 1;1 1;2 1;";
     assertEquals(expected, imported.tracks());
     Imported withoutScenes = new Imported(folder).rate(10);
     ImportSummary found =
-        withoutScenes.of("trajnet", text.toString().replaceAll(", .scene_id.: .", ""));
+        withoutScenes.read("trajnet", text.toString().replaceAll(", .scene_id.: .", ""));
     assertEquals(expected, withoutScenes.tracks());
     assertTrue(found.lines().toString().contains("ids: 1 are used again"), found.lines()::toString);
     assertFalse(found.lines().toString().contains("sorted by time"), found.lines()::toString);
   }
 
   @Test
-  void takesPedestrianAtTwoPlacesForTwo() {
+  void pedestrianAtTwoPlacesAtOnceBecomesTwoTargets() {
     Imported imported = new Imported(folder).rate(10);
-    imported.of(
+    imported.read(
         "trajnet",
         """
         {"track": {"f": 0, "p": 7, "x": 0, "y": 0}}
@@ -133,7 +133,7 @@ class RowOrderTest {
   @Test
   void sortsPedestriansWithoutScenes() {
     Imported imported = new Imported(folder).rate(10);
-    imported.of(
+    imported.read(
         "trajnet",
         """
         {"track": {"f": 0, "p": 7, "x": 0, "y": 0}}

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Several files in one import, files without ids, and times in place of frames. */
+/** Tests several files in one import, files without ids, and times in place of frames. */
 class SeveralFilesTest {
   @TempDir Path folder;
 
@@ -22,7 +22,7 @@ class SeveralFilesTest {
   void continuesTargetsOfLaterFiles() {
     Imported imported = new Imported(folder).rate(1);
     ImportSummary found =
-        imported.ofAll("ethucy", "5 1 5 0\n6 1 6 0\n6 2 9 9\n", "0 1 0 0\n1 1 1 0\n2 1 2 0\n");
+        imported.readAll("ethucy", "5 1 5 0\n6 1 6 0\n6 2 9 9\n", "0 1 0 0\n1 1 1 0\n2 1 2 0\n");
     assertEquals(
         "target 1 size 0.66;0 0 0;1 0;2 0;5 5 0;6 0;target 2 size 0.66;6 9 9;", imported.tracks());
     assertTrue(found.lines().contains("ids: the same in all files"), found.lines()::toString);
@@ -31,17 +31,17 @@ class SeveralFilesTest {
   @Test
   void keepsApartIdsThatAreInTwoFilesAtOnce() {
     Imported imported = new Imported(folder).rate(1);
-    ImportSummary found = imported.ofAll("ethucy", "0 1 0 0\n1 1 1 0\n", "0 1 5 0\n1 1 5 1\n");
+    ImportSummary found = imported.readAll("ethucy", "0 1 0 0\n1 1 1 0\n", "0 1 5 0\n1 1 5 1\n");
     assertEquals("target 1 size 0.66;0 0 0;1 0;target 2 size 0.66;0 5 0;5 1;", imported.tracks());
     assertTrue(
         found.lines().toString().contains("ids: each file has its own"), () -> "" + found.lines());
   }
 
   @Test
-  void takesFilesWithoutIdsForOneTargetEach() {
+  void eachFileWithoutIdsHasOneTarget() {
     Imported imported = new Imported(folder).unit(Unit.M);
     ImportSummary found =
-        imported.ofAll("csv", "time,x,y\n0,0,0\n1,1,0\n", "time,x,y\n2,5,0\n3,6,0\n");
+        imported.readAll("csv", "time,x,y\n0,0,0\n1,1,0\n", "time,x,y\n2,5,0\n3,6,0\n");
     assertEquals("target 1 size 0.66;0 0 0;1 0;target 2 size 0.66;2 5 0;6 0;", imported.tracks());
     assertFalse(found.lines().toString().contains("ids:"), found.lines()::toString);
   }
@@ -49,18 +49,18 @@ class SeveralFilesTest {
   @Test
   void readsFilesInSeveralFormats() {
     Imported imported = new Imported(folder).unit(Unit.M).rate(10);
-    imported.ofAll("auto", "time,id,x,y\n0,7,0,0\n1,7,1,0\n", "8 0 1 1 1\n8 10 1 2 1\n");
+    imported.readAll("auto", "time,id,x,y\n0,7,0,0\n1,7,1,0\n", "8 0 1 1 1\n8 10 1 2 1\n");
     assertEquals("target 7 size 0.66;0 0 0;1 0;target 8 size 0.66;0 1 1;1 2;", imported.tracks());
   }
 
   @Test
-  void saysThatTableWithoutIdsIsOfOneTarget() {
+  void reportsThatATableWithoutIdsHasOneTarget() {
     Imported imported = new Imported(folder).unit(Unit.M).columns(Map.of("time", "t"));
-    ImportSummary found = imported.of("csv", "t,x,y\n0,0,0\n1,1,0\n");
+    ImportSummary found = imported.read("csv", "t,x,y\n0,0,0\n1,1,0\n");
     assertTrue(found.lines().contains("ids: none, all samples are of one target"));
     InputException error =
         assertThrows(
-            InputException.class, () -> imported.of("csv", "t,who,x,y\n0,1,0,0\n0,2,1,0\n"));
+            InputException.class, () -> imported.read("csv", "t,who,x,y\n0,1,0,0\n0,2,1,0\n"));
     assertTrue(
         error.getMessage().contains("no column id, expected columns=id=NAME if they are"),
         error::getMessage);
@@ -69,7 +69,7 @@ class SeveralFilesTest {
   @Test
   void endsTracksBetweenPartsThatAreClose() {
     Imported imported = new Imported(folder);
-    imported.of(
+    imported.read(
         "gpx",
         """
         <gpx><trk><trkseg>
@@ -104,7 +104,7 @@ class SeveralFilesTest {
     Imported imported = new Imported(folder);
     ImportSummary found =
         (isMetric ? imported.unit(Unit.M) : imported)
-            .of(
+            .read(
                 format,
                 content.contains("~") ? content.replace('~', '\n') : content.replace(';', '\n'));
     assertEquals("target 1 size 0.66;0 0 0;1 0;", imported.tracks());
@@ -112,13 +112,13 @@ class SeveralFilesTest {
   }
 
   @Test
-  void refusesRoutesByName() {
+  void refusesRoutes() {
     InputException error =
         assertThrows(
             InputException.class,
             () ->
                 new Imported(folder)
-                    .of(
+                    .read(
                         "auto",
                         "<gpx><rte><rtept lat='1' lon='2'/></rte><wpt lat='1' lon='2'/></gpx>"));
     assertTrue(error.getMessage().contains("<rte> is a route, not a track"), error::getMessage);
@@ -128,7 +128,7 @@ class SeveralFilesTest {
   void leavesOutFurtherPredictions() {
     Imported imported = new Imported(folder);
     ImportSummary found =
-        imported.of(
+        imported.read(
             "auto",
             """
             {"scene": {"id": 0, "p": 7, "s": 0, "e": 10, "fps": 2.5}}

@@ -34,7 +34,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** SVG and its CSS as they are defined. */
+/** Tests that SVG and CSS are read as their standards define them. */
 class SvgWallsTest {
   private static final String LINE = "<line x2='10' y1='100' y2='100'%s/>";
   private static final Wall DRAWN = new Wall(0, 0, 10, 0, 0);
@@ -60,7 +60,7 @@ class SvgWallsTest {
             new LayerChoice(List.of(layers))));
   }
 
-  /** The obstacles of a drawing of 100 x 100 m. */
+  /** The obstacles in a drawing of 100 m by 100 m. */
   private List<Obstacle> walls(String content) {
     return drawing("<svg viewBox='0 0 100 100'>" + content + "</svg>", new PlanScale.PerUnit(1))
         .obstacles(false);
@@ -82,8 +82,8 @@ class SvgWallsTest {
         "<style>line{display:inline} g line{display:none}</style><g>%s</g>",
         "<switch><g/>%s</switch>",
       })
-  void leavesOutWhatIsHidden(String around) {
-    String hidden = around.formatted(LINE.formatted(" class='hidden'"));
+  void leavesOutHiddenElements(String container) {
+    String hidden = container.formatted(LINE.formatted(" class='hidden'"));
     assertEquals(
         List.of(DRAWN),
         walls(
@@ -105,9 +105,9 @@ class SvgWallsTest {
         "<a>%s</a>",
         "<g stroke='none'>%s</g>",
       })
-  void drawsWhatIsNotHidden(String around) {
+  void drawsElementsThatAreNotHidden(String container) {
     String line = LINE.formatted(" id='seen' style='visibility:visible;display:block;stroke:red'");
-    assertEquals(List.of(DRAWN), walls(around.formatted(line)));
+    assertEquals(List.of(DRAWN), walls(container.formatted(line)));
   }
 
   @Test
@@ -123,7 +123,7 @@ class SvgWallsTest {
   }
 
   @Test
-  void drawsWhatUseNames() {
+  void drawsElementsThatUseRefersTo() {
     String symbol =
         "<symbol id='s' viewBox='0 0 2 2'><line x2='2' y2='2'/></symbol>"
             + "<use href='#s' x='10' y='20' width='4' height='4' transform='scale(2)'/>";
@@ -187,7 +187,7 @@ class SvgWallsTest {
   }
 
   @Test
-  void countsWhatIsLeftOut() {
+  void countsOmittedElements() {
     Drawing drawing =
         drawing(
             "<svg viewBox='0 0 9 9'><text>a</text><image href='http://127.0.0.1:9/a.png'/>"

@@ -16,11 +16,11 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.place.DraftCameras;
-import org.hificamsim.tracks.place.Way;
+import org.hificamsim.tracks.place.PeoplePositions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The scenario around imported tracks, and its first cameras. */
+/** Tests the scenario around imported tracks, and its draft cameras. */
 class TrackedSiteTest {
   private static final Field FIELD = new Field(10, 110, -20, 30);
 
@@ -61,7 +61,7 @@ class TrackedSiteTest {
     assertEquals(List.of(new Obstacle.Wall(0, 1, 2, 1, 0)), read.get(Scenario.OBSTACLES));
   }
 
-  /** At 2.5 samples per second; 0 for settings that are not given. */
+  /** Imports a recording at 2.5 samples per second; 0 stands for settings that are not given. */
   private TrackedSite site(String recording, double margin, double step) {
     SiteSettings settings =
         new SiteSettings(
@@ -72,7 +72,7 @@ class TrackedSiteTest {
             step == 0 ? OptionalDouble.empty() : OptionalDouble.of(step),
             List.of(new Obstacle.Wall(0, 1, 2, 1, 0)),
             Optional.empty());
-    return new TrackedSite(settings, new Imported(folder).rate(2.5).of("ethucy", recording));
+    return new TrackedSite(settings, new Imported(folder).rate(2.5).read("ethucy", recording));
   }
 
   @Test
@@ -87,7 +87,7 @@ class TrackedSiteTest {
             new Point(72.5, 29.5),
             new Point(35.5, 29.5),
             new Point(10.5, 17.5)),
-        places(8));
+        positions(8));
   }
 
   @Test
@@ -96,15 +96,17 @@ class TrackedSiteTest {
     Obstacle left =
         new Obstacle.Polygon(
             List.of(new Point(9, -15), new Point(12, -15), new Point(12, 28), new Point(9, 28)), 0);
-    List<Point> places = places(8, corner, left);
-    assertEquals(new Point(13.46, -19.5), places.get(0)); // the fourth of 400 parts of 296 m
-    assertEquals(new Point(10.5, -15.06), places.get(7)); // at 37 m and 44 parts
+    List<Point> positions = positions(8, corner, left);
+    assertEquals(new Point(13.46, -19.5), positions.get(0)); // the fourth of 400 parts of 296 m
+    assertEquals(new Point(10.5, -15.06), positions.get(7)); // at 37 m and 44 parts
     Obstacle large = new Obstacle.Pillar(10, 0, 25, 0);
-    assertEquals(new Point(26.04, -19.5), places(8, large).get(7)); // around the corner, 71 parts
+    assertEquals(
+        new Point(26.04, -19.5), positions(8, large).get(7)); // around the corner, 71 parts
   }
 
-  private static List<Point> places(int count, Obstacle... obstacles) {
-    return new DraftCameras(FIELD, new Obstacles(List.of(obstacles)), new Way(), count, 80)
+  private static List<Point> positions(int count, Obstacle... obstacles) {
+    return new DraftCameras(
+            FIELD, new Obstacles(List.of(obstacles)), new PeoplePositions(), count, 80)
         .cameras().stream().map(camera -> new Point(camera.x(), camera.y())).toList();
   }
 }

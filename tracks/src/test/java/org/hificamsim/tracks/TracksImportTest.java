@@ -16,14 +16,14 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Imports in general, whatever the format. */
+/** Tests imports, whatever the format. */
 class TracksImportTest {
   @TempDir Path folder;
 
   @Test
   void startsNewTrackAfterGap() {
     Imported imported = new Imported(folder).rate(1);
-    ImportSummary found = imported.of("ethucy", "0 1 0 0\n1 1 1 0\n2 1 2 0\n6 1 3 0\n7 1 4 0\n");
+    ImportSummary found = imported.read("ethucy", "0 1 0 0\n1 1 1 0\n2 1 2 0\n6 1 3 0\n7 1 4 0\n");
     assertEquals(
         "target 1 size 0.66;0 0 0;1 0;2 0;target 1 size 0.66;6 3 0;4 0;", imported.tracks());
     assertEquals(
@@ -32,16 +32,16 @@ class TracksImportTest {
   }
 
   @Test
-  void keepsTrackOverGapThatIsAllowed() {
+  void keepsTrackAcrossAllowedGap() {
     Imported imported = new Imported(folder).rate(1).gap(4);
-    imported.of("ethucy", "0 1 0 0\n1 1 1 0\n2 1 2 0\n6 1 3 0\n7 1 4 0\n");
+    imported.read("ethucy", "0 1 0 0\n1 1 1 0\n2 1 2 0\n6 1 3 0\n7 1 4 0\n");
     assertEquals("target 1 size 0.66;0 0 0;1 0;2 0;6 3 0;4 0;", imported.tracks());
   }
 
   @Test
   void keepsPartOfRecording() {
     Imported imported = new Imported(folder).rate(1).cut(1, 2);
-    ImportSummary found = imported.of("ethucy", "5 1 0 0\n6 1 1 0\n7 1 2 0\n8 1 3 0\n");
+    ImportSummary found = imported.read("ethucy", "5 1 0 0\n6 1 1 0\n7 1 2 0\n8 1 3 0\n");
     assertEquals("target 1 size 0.66;0 1 0;2 0;", imported.tracks());
     assertEquals(new Field(1, 2, 0, 0), found.box());
   }
@@ -52,7 +52,7 @@ class TracksImportTest {
         new Imported(folder)
             .rate(1)
             .cut(1, 1e9)
-            .of(
+            .read(
                 "ethucy",
                 "0 1 0 0\n6 1 0 -1\n7 1 3 3\n8 1 6 7\n12 1 6 8\n13 1 6 9.23456\n9 2 1e6 0\n");
     assertEquals(
@@ -72,13 +72,16 @@ class TracksImportTest {
   @Test
   void computesQuantilesOfSpeeds() {
     ImportSummary found =
-        new Imported(folder).rate(1).of("ethucy", "0 1 0 0\n1 1 0 0\n2 1 1 0\n3 1 3 0\n4 1 5003 0");
+        new Imported(folder)
+            .rate(1)
+            .read("ethucy", "0 1 0 0\n1 1 0 0\n2 1 1 0\n3 1 3 0\n4 1 5003 0");
     double[] quantiles = {0, 0.25, 0.26, 0.5, 0.75, 1};
     double[] expected = {0, 0, 1, 1, 2, 5000};
     for (int i = 0; i < quantiles.length; i++) {
       assertEquals(expected[i], found.quantile(quantiles[i]), 1e-9);
     }
-    assertEquals(Double.NaN, new Imported(folder).rate(1).of("ethucy", "0 1 0 0\n").quantile(0.5));
+    assertEquals(
+        Double.NaN, new Imported(folder).rate(1).read("ethucy", "0 1 0 0\n").quantile(0.5));
   }
 
   @Test
@@ -93,9 +96,7 @@ class TracksImportTest {
     assertEquals(4, jumps(1, 6, 1, 7, 1, 8, 1, 9, 1).size()); // four, of which three are named
   }
 
-  /**
-   * The jumps of a track with these speeds, with moves of a second, among others of about 1 m/s.
-   */
+  /** The jumps of a track with these speeds, a move per second, among others of about 1 m/s. */
   private List<String> jumps(double... speeds) {
     StringBuilder text = new StringBuilder("0 2 0 1\n1 2 0.01 1\n0 3 0 2\n1 3 0.01 2\n");
     for (int frame = 0; frame < 40; frame++) {
@@ -107,13 +108,15 @@ class TracksImportTest {
       x += speeds[i];
       text.append(i + 1 + " 1 " + x + " 0\n");
     }
-    return new Imported(folder).rate(1).of("ethucy", text.toString()).oddities();
+    return new Imported(folder).rate(1).read("ethucy", text.toString()).oddities();
   }
 
   @Test
   void computesQuartilesOfSpeeds() {
     ImportSummary found =
-        new Imported(folder).rate(1).of("ethucy", "0 1 0 0\n1 1 1 0\n2 1 3 0\n3 1 6 0\n4 1 10 0\n");
+        new Imported(folder)
+            .rate(1)
+            .read("ethucy", "0 1 0 0\n1 1 1 0\n2 1 3 0\n3 1 6 0\n4 1 10 0\n");
     assertEquals(
         "speeds: a quarter up to 1 m/s, half up to 2, three quarters up to 3",
         found.lines().get(2));
@@ -127,7 +130,7 @@ class TracksImportTest {
     }
     text.append("99 1 99 0\n99 2 5 5\n");
     ImportSummary found =
-        new Imported(folder).rate(1).wall(10.5, -1, 10.5, 1).of("ethucy", text.toString());
+        new Imported(folder).rate(1).wall(10.5, -1, 10.5, 1).read("ethucy", text.toString());
     String oddities = String.join("\n", found.oddities());
     assertTrue(oddities.contains("2 jumps, faster than 5 m/s"), oddities);
     assertTrue(oddities.contains("target 1 jumps 451 m before 50 s, 451 m/s"), oddities);
@@ -146,7 +149,8 @@ class TracksImportTest {
       text.append(frame + " 3 " + frame * 15 + " 2\n");
       text.append(frame + " 4 " + frame + " 3\n" + frame + " 5 " + frame + " 3\n");
     }
-    assertEquals(List.of(), new Imported(folder).rate(1).of("ethucy", text.toString()).oddities());
+    assertEquals(
+        List.of(), new Imported(folder).rate(1).read("ethucy", text.toString()).oddities());
   }
 
   @Test
@@ -158,14 +162,14 @@ class TracksImportTest {
       out.write("\ufeff0 1 2 3\n");
     }
     Imported imported = new Imported(folder).rate(1);
-    imported.ofFile("ethucy", file);
+    imported.readFile("ethucy", file);
     assertEquals("target 1 size 0.66;0 2 3;", imported.tracks());
   }
 
   @Test
   void findsPublishedFiguresOfZara01() {
     Path file = Reference.file("tracks/zara01-obsmat.txt");
-    ImportSummary found = new Imported(folder).rate(25).ofFile("obsmat", file);
+    ImportSummary found = new Imported(folder).rate(25).readFile("obsmat", file);
     assertEquals(148, found.targets());
     assertEquals(5024, found.samples());
     assertEquals(0.4, found.interval());

@@ -16,9 +16,9 @@ import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.place.DraftCameras;
+import org.hificamsim.tracks.place.PeoplePositions;
 import org.hificamsim.tracks.place.PictureFrame;
 import org.hificamsim.tracks.place.PlanScale;
-import org.hificamsim.tracks.place.Way;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -27,7 +27,7 @@ class WallHeightsTest {
 
   private List<Obstacle> read(String name, String text) throws IOException {
     Path file = Files.writeString(folder.resolve(name), text);
-    return WallsOf.file(file, Unit.M, Optional.empty());
+    return TestWalls.obstacles(file, Unit.M, Optional.empty());
   }
 
   private static String feature(String height) {
@@ -77,12 +77,12 @@ class WallHeightsTest {
             + "<rect x='5' y='5' width='2' height='1'/></g></svg>";
     Path file = Files.writeString(folder.resolve("a.svg"), drawing);
     PictureFrame frame = new PictureFrame(new PlanScale.PerUnit(0.5), 0, 0);
-    List<Obstacle> walls = WallsOf.file(file, Unit.M, Optional.of(frame));
+    List<Obstacle> walls = TestWalls.obstacles(file, Unit.M, Optional.of(frame));
     assertEquals(1.8, ((Obstacle.Wall) walls.get(0)).height());
     assertEquals(Double.POSITIVE_INFINITY, ((Obstacle.Polygon) walls.get(1)).height());
     for (String height : List.of("0", "tall", "")) {
       Path broken = Files.writeString(folder.resolve("b.svg"), drawing.replace("1.8", height));
-      Obstacle wall = WallsOf.file(broken, Unit.M, Optional.of(frame)).get(0);
+      Obstacle wall = TestWalls.obstacles(broken, Unit.M, Optional.of(frame)).get(0);
       assertEquals(Double.POSITIVE_INFINITY, ((Obstacle.Wall) wall).height(), height);
     }
   }
@@ -93,11 +93,14 @@ class WallHeightsTest {
         read("walls.xml", "<Lines><Line x1='4' y1='5' x2='6' y2='5' height='1.2'/></Lines>");
     Field field = new Field(100, 140, -50, -20);
     CameraSpec hung =
-        new DraftCameras(field, new Obstacles(walls), new Way(), 1, 80).cameras().get(0);
+        new DraftCameras(field, new Obstacles(walls), new PeoplePositions(), 1, 80)
+            .cameras()
+            .get(0);
     assertEquals(3, hung.z().orElseThrow());
     double half = Math.toDegrees(Math.atan(Math.tan(Math.toRadians(30)) * 9 / 16));
     assertEquals(half + Math.toDegrees(Math.atan(3 / 49.2)), hung.tilt(), 0.5);
-    CameraSpec flat = new DraftCameras(field, Obstacles.NONE, new Way(), 1, 80).cameras().get(0);
+    CameraSpec flat =
+        new DraftCameras(field, Obstacles.NONE, new PeoplePositions(), 1, 80).cameras().get(0);
     assertTrue(flat.z().isEmpty() && flat.tilt() == 0);
   }
 }

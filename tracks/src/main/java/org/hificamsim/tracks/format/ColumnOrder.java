@@ -15,7 +15,7 @@ final class ColumnOrder {
   private static final int X = 2;
   private static final int Y = 3;
 
-  /** The wrong column gives steps that are at least this many times as long. */
+  /** With the wrong column, steps are at least this many times as long. */
   private static final double CLEAR = 3;
 
   private ColumnOrder() {}

@@ -13,15 +13,16 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.Fields;
 
 /**
- * Where a table has what a sample needs: columns that the user names, by their names in the first
- * line or by numbers from 1. By default they have the names of the keys. If all are given by
- * number, the first line is data.
+ * The columns of a table that a sample needs. The user names them by their names in the first line
+ * or by numbers from 1; by default they have the names of the keys. If all are given by number, the
+ * first line is data.
  *
  * @param isHeader whether the first line has the names of the columns
  * @param count the number of columns
  * @param tick the column of times or frames, from 0, as all others
  * @param target the column of ids; -1 if the table is about one target
- * @param width of targets; -1 without a column, as for the height
+ * @param width the column of widths; -1 if there is none
+ * @param height the column of heights; -1 if there is none
  */
 record CsvColumns(
     boolean isHeader, int count, int tick, int target, int x, int y, int width, int height) {
@@ -87,7 +88,7 @@ record CsvColumns(
   /**
    * Finds the columns.
    *
-   * @param firstLine of the table
+   * @param firstLine first line of the table
    * @throws InputException if a required column, or one that the user names, is missing
    */
   static CsvColumns find(Recording recording, Fields firstLine) {
@@ -136,7 +137,7 @@ record CsvColumns(
     }
   }
 
-  /** The first column of a name, in any case if none is written so; -1 if there is none. */
+  /** The first column with a name, in any case if no case matches; -1 if there is none. */
   static int indexOf(List<String> header, String name) {
     int column = header.indexOf(name);
     for (int i = 0; i < header.size() && column < 0; i++) {
@@ -161,7 +162,7 @@ record CsvColumns(
   }
 
   /** Whether a row has neither an id nor a position. */
-  boolean areEmpty(Fields row) {
+  boolean isEmpty(Fields row) {
     return target >= 0 && isEmpty(row, target) && isEmpty(row, x) && isEmpty(row, y);
   }
 

@@ -24,7 +24,7 @@ final class CsvFormat implements TrackFormat {
 
   private static final String ONLY_TARGET = "1";
 
-  /** A whole number as tables write it that hold decimal numbers only. */
+  /** A whole number in a table of decimal numbers, such as 12.0. */
   private static final Pattern WHOLE_WITH_POINT = Pattern.compile("[0-9]+\\.0+");
 
   private Ticks ticks; // null before the first line
@@ -84,7 +84,7 @@ final class CsvFormat implements TrackFormat {
     if (isFirst && columns.isHeader()) {
       return;
     }
-    if (columns.areEmpty(row)) {
+    if (columns.isEmpty(row)) {
       samples.leaveOut(
           Omission.OTHER_THING,
           () -> row.invalid(columns.target(), "id", "a name or number, as in other rows"));
@@ -125,7 +125,7 @@ final class CsvFormat implements TrackFormat {
               ticks.value(row, columns.tick()),
               row.value(columns.x()),
               row.value(columns.y()));
-      if (sample.isRight()) {
+      if (sample.isValid()) {
         return sample;
       }
     }

@@ -12,10 +12,11 @@ import org.hificamsim.core.Texts;
  * latitude, read as metres, are a hundred thousand times too short.
  */
 final class FcdSpeeds {
-  /** Ways that are shorter by this factor are not in metres. */
+  /** Positions whose way is shorter by more than this factor are not in metres. */
   private static final double MAX_RATIO = 1000;
 
-  private static final double MIN_EXPECTED = 1; // metres
+  /** The shortest expected way that is compared, metres. */
+  private static final double MIN_EXPECTED = 1;
 
   private final Map<String, TrackSample> last = new HashMap<>();
   private double moved;

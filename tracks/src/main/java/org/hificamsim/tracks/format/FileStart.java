@@ -99,7 +99,7 @@ public final class FileStart {
     return text.startsWith("SQLite format 3\0");
   }
 
-  /** Whether it is text: no binary file. */
+  /** Whether the file may be a table: neither XML nor JSON nor binary. */
   boolean isTable() {
     return !rows.isEmpty() && !isXml() && !isJson() && text.indexOf('\0') < 0;
   }
@@ -115,7 +115,7 @@ public final class FileStart {
     return rows.isEmpty() ? new Place(file.toString(), 1, 1) : rows.get(0).place(0);
   }
 
-  /** A description of the file, in words that follow "the file". */
+  /** Describes the file, in words that follow "the file". */
   String look() {
     if (isSqlite()) {
       return "is an SQLite file";

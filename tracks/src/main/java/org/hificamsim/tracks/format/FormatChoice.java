@@ -13,7 +13,7 @@ import org.hificamsim.core.NamedSetting;
  * The format in which a recording is read: the one that the user names, or the only one that its
  * beginning fits.
  *
- * @param reason what it was recognised by; empty if the user names it
+ * @param reason how the format was recognised; empty if the user names it
  */
 public record FormatChoice(
     Recording recording, KnownFormat known, TrackFormat reader, Optional<String> reason) {
@@ -38,7 +38,7 @@ public record FormatChoice(
   /**
    * Chooses the format of a recording.
    *
-   * @param name of a format, or {@link #AUTO}
+   * @param name the name of a format, or {@link #AUTO}
    * @throws InputException if no format has the name, or if not exactly one fits the file
    */
   public static FormatChoice of(String name, Recording recording) {
@@ -104,8 +104,7 @@ public record FormatChoice(
   /**
    * Reads the recording.
    *
-   * @throws InputException with the place; if the file looks different from the format, that is
-   *     what it says
+   * @throws InputException with the place; says so if the file does not look like the format
    */
   public Clock read(SampleSink samples) {
     try {

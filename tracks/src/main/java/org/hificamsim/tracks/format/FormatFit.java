@@ -16,7 +16,7 @@ record FormatFit(boolean fits, boolean isReadable, String reason) {
     return new FormatFit(false, false, reason);
   }
 
-  /** A file that users may read so if they say what it contains. */
+  /** A fit that leaves the format possible, because users may say what the file contains. */
   static FormatFit named(boolean fits, String reason, String otherwise) {
     return new FormatFit(fits, true, fits ? reason : otherwise);
   }

@@ -9,13 +9,13 @@ import org.hificamsim.core.NamedSetting;
 import org.hificamsim.core.registry.Registry;
 
 /**
- * A format that is read, as users know it. Its class declares it, next to the rule by which it is
- * recognised. The table of formats in the documentation has these texts.
+ * The description of a format for users. The format's class declares it, next to the rule by which
+ * it is recognised. The table of formats in the documentation has these texts.
  *
- * @param name as users choose it
- * @param look what a line or element looks like, in Markdown
- * @param time where times are from, in Markdown; settings stand in braces
- * @param positions what positions are, in the same
+ * @param name the name by which users choose it
+ * @param look the form of a line or element, in Markdown
+ * @param time the source of times, in Markdown with settings in braces
+ * @param positions the unit of positions, in the same form
  * @param maker makes a reader
  */
 public record KnownFormat(

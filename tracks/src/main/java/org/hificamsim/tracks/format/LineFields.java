@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.Fields;
 
-/** The fields of a line between separators. A field in double quotes may contain these. */
+/** The fields of a line between separators. A field in double quotes may contain separators. */
 final class LineFields implements Fields {
   private final Place line;
   private final int length;

@@ -28,17 +28,17 @@ public final class MotFile {
   /**
    * A row of a MOTChallenge file: a target's box in one frame.
    *
-   * @param place in the file
-   * @param frame from 1
+   * @param place the row's place in the file
+   * @param frame number of the frame, from 1
    * @param target the number of the target
-   * @param left of the box, pixels
-   * @param top of the box, pixels from the picture's upper edge down
-   * @param width pixels
-   * @param height pixels
+   * @param left the left edge of the box, pixels
+   * @param top the upper edge of the box, pixels down from the picture's upper edge
+   * @param width width of the box, pixels
+   * @param height height of the box, pixels
    * @param confidence 0 if the row is to be ignored; 1 if the file has no confidences
-   * @param x in the world, NaN if the file has none
-   * @param y in the world, NaN if the file has none
-   * @param z in the world, NaN if the file has none
+   * @param x position in the world; NaN if the file has none
+   * @param y position in the world; NaN if the file has none
+   * @param z position in the world; NaN if the file has none
    * @param type the class of the target; empty if the file has none
    * @param visibility the visible share, in [0, 1]; NaN if the file has none
    */
@@ -90,7 +90,7 @@ public final class MotFile {
     read(frames, Ticks.of(frames, FRAME_COLUMN), refused, rows);
   }
 
-  /** Reads all rows, but those that are wrong. */
+  /** Reads all rows; wrong ones go to {@code odd}. */
   static void read(Recording recording, Ticks ticks, OddRows odd, Consumer<Row> rows) {
     MotFile file = new MotFile(ticks);
     RowTable.forEachRow(

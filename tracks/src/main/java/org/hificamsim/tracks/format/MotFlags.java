@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Notices MOT files whose last three columns are no positions: VisDrone and UAVDT have a class, a
- * truncation and an occlusion there.
+ * Finds MOT files whose last three columns are not positions: in VisDrone and UAVDT they are a
+ * class, a truncation and an occlusion.
  */
 final class MotFlags {
   private static final int MAX_CLASS = 20;

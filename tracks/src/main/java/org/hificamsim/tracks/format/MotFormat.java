@@ -6,8 +6,8 @@ import java.util.EnumSet;
 import org.hificamsim.core.InputException;
 
 /**
- * MOTChallenge: positions in the world, or the places of boxes in the picture. Rows whose
- * confidence is 0, and detections, whose id is -1, are left out.
+ * MOTChallenge: positions in the world, or positions of boxes in the picture. Rows whose confidence
+ * is 0, and detections, whose id is -1, are left out.
  */
 final class MotFormat implements TrackFormat {
   static final KnownFormat DECLARATION =

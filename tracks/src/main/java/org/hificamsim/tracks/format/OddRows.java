@@ -9,7 +9,7 @@ public interface OddRows {
   /**
    * Receives a row that is left out.
    *
-   * @param reason returns what is wrong, with its place in the file
+   * @param reason returns the error, with its place in the file
    */
   void leaveOut(Omission kind, Supplier<InputException> reason);
 
@@ -22,7 +22,7 @@ public interface OddRows {
     }
   }
 
-  /** Reads a part of a row; a fault of it makes the row one that is left out. */
+  /** Reads a part of a row; if the part is faulty, the row is left out. */
   static <T> T part(Omission kind, Supplier<T> reading) {
     try {
       return reading.get();

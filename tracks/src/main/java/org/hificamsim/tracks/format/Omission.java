@@ -1,22 +1,22 @@
 package org.hificamsim.tracks.format;
 
-/** Why a row of a recording, or a point, is not a sample and is left out. */
+/** The reasons for which a row or point of a recording is not a sample and is left out. */
 public enum Omission {
-  /** It has no time, or one that is not a time. */
+  /** The row has no valid time. */
   NO_TIME("without a time", true),
-  /** It does not say which target it is about. */
+  /** The row does not name its target. */
   NO_TARGET("without an id", true),
-  /** It has no position, or one that is not a number. */
+  /** The row has no position, or one that is not a number. */
   NO_PLACE("without a place", true),
-  /** It has other columns than the rows before. */
+  /** The row has other columns than the rows before. */
   OTHER_COLUMNS("with another number of columns", true),
-  /** Its position is to be predicted: the format says so. */
+  /** The format marks the position as one to be predicted. */
   UNKNOWN_PLACE("whose place is unknown", false),
-  /** Its id and place are empty: it is about something else than the named columns. */
+  /** Id and position are empty: the row is about something else than the named columns. */
   OTHER_THING("with neither id nor place", false),
-  /** The format marks it as not to be used: confidence 0, lost, a predicted alternative. */
+  /** The format marks the row as unused: confidence 0, lost, or a predicted alternative. */
   MARKED("that the file marks as not to be used", false),
-  /** It is a waypoint, a route or a shape, which no target moves along. */
+  /** The point is a waypoint, or part of a route or shape, not a position of a target. */
   NO_TRACK("of no track", false);
 
   private final String words;
@@ -32,7 +32,7 @@ public enum Omission {
     return words;
   }
 
-  /** Whether a file with many of them is probably read in the wrong way. */
+  /** Whether many omissions of this kind show that the file is read in the wrong way. */
   public boolean isFault() {
     return fault;
   }

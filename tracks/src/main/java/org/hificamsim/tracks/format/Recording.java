@@ -13,7 +13,7 @@ import org.hificamsim.core.Spelling;
  * A file of tracks with the settings that its user gives.
  *
  * @param rate frames per second; may be empty
- * @param unit of positions; may be empty
+ * @param unit unit of positions; may be empty
  * @param columns the names or numbers of columns by key, for formats without a fixed order
  */
 public record Recording(
@@ -23,7 +23,7 @@ public record Recording(
     columns = Map.copyOf(columns);
   }
 
-  /** A recording about which its user says nothing. */
+  /** A recording without any settings. */
   public static Recording of(Path file) {
     return new Recording(file, OptionalDouble.empty(), Optional.empty(), Map.of());
   }

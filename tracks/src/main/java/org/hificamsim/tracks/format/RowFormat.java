@@ -81,7 +81,7 @@ final class RowFormat implements TrackFormat {
               ticks.value(fields, frame),
               fields.value(x),
               fields.value(y));
-      if (Double.isFinite(number) && sample.isRight()) {
+      if (Double.isFinite(number) && sample.isValid()) {
         return sample;
       }
     }

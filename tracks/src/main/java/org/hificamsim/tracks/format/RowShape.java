@@ -3,12 +3,12 @@ package org.hificamsim.tracks.format;
 import java.util.Set;
 
 /**
- * What the rows of a format look like.
+ * The form of the rows of a format.
  *
- * @param format its name, in sentences
- * @param separators between columns
- * @param least number of columns
- * @param most number of columns
+ * @param format the name of the format in messages
+ * @param separators possible separators of columns
+ * @param least least number of columns
+ * @param most greatest number of columns
  */
 record RowShape(String format, Set<Separator> separators, int least, int most) {
   /** Rows between blanks or tabs. */

@@ -43,7 +43,7 @@ enum Separator {
     return character;
   }
 
-  /** Whether formats between blanks have it. */
+  /** Whether formats that separate columns by blanks use this separator. */
   boolean isBlank() {
     return this == BLANKS || this == TABS;
   }

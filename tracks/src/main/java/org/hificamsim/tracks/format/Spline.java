@@ -5,12 +5,14 @@ import java.util.List;
 import org.hificamsim.core.Place;
 
 /**
- * A cubic curve through control points in time, with the velocity at each point that leads from the
- * one before to the one after (Catmull and Rom 1974, for points at unequal times). It is straight
- * and even where the points are.
+ * A cubic curve through control points in time. The velocity at each point leads from the point
+ * before to the point after (Catmull and Rom 1974, for points at unequal times). Where points are
+ * on a line and evenly spaced, so are the samples.
  */
 final class Spline {
-  /** A longer way between two control points, in frames, is a mistake: it is an hour. */
+  /**
+   * The greatest number of frames between two control points: more, about an hour, are a mistake.
+   */
   private static final double MAX_FRAMES = 100_000;
 
   /** A control point. */
@@ -79,15 +81,21 @@ final class Spline {
     Control to = controls.get(i + 1);
     double length = to.frame - from.frame;
     double t = (frame - from.frame) / length;
-    double ofTo = t * t * (3 - 2 * t);
-    double ofStart = t * (1 - t) * (1 - t) * length;
-    double ofEnd = t * t * (t - 1) * length;
+    double endWeight = t * t * (3 - 2 * t);
+    double startVelocityWeight = t * (1 - t) * (1 - t) * length;
+    double endVelocityWeight = t * t * (t - 1) * length;
     return new TrackSample(
         place,
         target,
         frame,
-        from.x + ofTo * (to.x - from.x) + ofStart * velocityX(i) + ofEnd * velocityX(i + 1),
-        from.y + ofTo * (to.y - from.y) + ofStart * velocityY(i) + ofEnd * velocityY(i + 1));
+        from.x
+            + endWeight * (to.x - from.x)
+            + startVelocityWeight * velocityX(i)
+            + endVelocityWeight * velocityX(i + 1),
+        from.y
+            + endWeight * (to.y - from.y)
+            + startVelocityWeight * velocityY(i)
+            + endVelocityWeight * velocityY(i + 1));
   }
 
   private double velocityX(int i) {

@@ -7,11 +7,11 @@ import java.util.function.Consumer;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.Fields;
 
-/** Reads SQLite files. A module of its own has the implementation, since its library is big. */
+/** Reads SQLite files. The implementation is in a separate module, since its library is big. */
 public interface SqliteReader {
   /**
-   * Reads a table row by row, in the order in which the file has them. The line of a place is the
-   * row's number, its column that of the field.
+   * Reads a table row by row, in the order in which the file has them. The line of a field's place
+   * is the number of its row, the column the number of the field.
    *
    * @param columns the names of the fields
    * @return whether the file has the table
@@ -22,7 +22,7 @@ public interface SqliteReader {
   /**
    * Returns the reader on the class path.
    *
-   * @param file which is to be read
+   * @param file the file to read
    * @throws InputException if there is none
    */
   static SqliteReader find(Path file) {

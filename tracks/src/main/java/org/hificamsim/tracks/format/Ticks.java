@@ -10,10 +10,10 @@ import org.hificamsim.core.file.Fields;
  * day, or Unix times.
  */
 final class Ticks {
-  /** The number of rows that tell times from frames: names and units may stand above them. */
+  /** The number of rows that decide between times and frames; the first may be names and units. */
   private static final int FIRST_ROWS = 4;
 
-  private static final double PER_SECOND = 1000; // milliseconds
+  private static final double MILLISECONDS_PER_SECOND = 1000;
 
   private final boolean areTimes;
   private final Clock clock;
@@ -29,7 +29,7 @@ final class Ticks {
   /**
    * Returns a reader of a recording's ticks.
    *
-   * @param column in which the ticks are, from 0
+   * @param column the column of ticks, from 0
    * @throws org.hificamsim.core.InputException if they are frames and their rate is not given
    */
   static Ticks of(Recording recording, int column) {
@@ -96,6 +96,6 @@ final class Ticks {
     }
     double seconds = times.seconds(row, column);
     boolean isScaled = areMilliseconds && column < row.count() && seconds == row.value(column);
-    return isScaled ? seconds / PER_SECOND : seconds;
+    return isScaled ? seconds / MILLISECONDS_PER_SECOND : seconds;
   }
 }

@@ -21,7 +21,7 @@ final class Times {
   /** The least number of seconds that is a Unix time: a day in 1973. */
   static final double FIRST_UNIX_TIME = 1e8;
 
-  /** Greater numbers count milliseconds; from a thousandfold on microseconds, and so on. */
+  /** Greater numbers count milliseconds; a thousand times greater ones microseconds, and so on. */
   private static final double MAX_SECONDS = 1e11;
 
   private static final double DAY = 86_400;
@@ -74,16 +74,16 @@ final class Times {
       return Double.NaN;
     }
     double number = row.value(field);
-    return Double.isFinite(number) ? ofNumber(number) : ofText(row.text(field).strip());
+    return Double.isFinite(number) ? fromNumber(number) : fromText(row.text(field).strip());
   }
 
   /** Returns a time in seconds; NaN if the text has none. */
   double seconds(String text) {
     double number = Fields.value(text);
-    return Double.isFinite(number) ? ofNumber(number) : ofText(text.strip());
+    return Double.isFinite(number) ? fromNumber(number) : fromText(text.strip());
   }
 
-  private double ofNumber(double number) {
+  private double fromNumber(double number) {
     double seconds = number;
     for (double limit = MAX_SECONDS; Math.abs(number) >= limit && limit < 1e18; limit *= 1e3) {
       seconds /= 1e3;
@@ -91,7 +91,7 @@ final class Times {
     return Math.abs(seconds) < MAX_SECONDS ? checked(Notation.NUMBER, seconds) : Double.NaN;
   }
 
-  private double ofText(String text) {
+  private double fromText(String text) {
     Matcher date = DATE.matcher(text);
     if (date.matches()) {
       return checked(Notation.DATE, sinceEpoch(date));
@@ -102,10 +102,10 @@ final class Times {
       return checked(Notation.TIME_OF_DAY, number(minutes, "minutes") * MINUTE + seconds);
     }
     Matcher time = TIME_OF_DAY.matcher(WITHOUT_SECONDS.matcher(text).replaceFirst("$1:00"));
-    return time.matches() ? checked(Notation.TIME_OF_DAY, ofDay(time)) : Double.NaN;
+    return time.matches() ? checked(Notation.TIME_OF_DAY, fromTimeOfDay(time)) : Double.NaN;
   }
 
-  /** Says what a text that is no time should be, for error lines. */
+  /** Describes the time that was expected in place of a text, for error messages. */
   String expected(String text) {
     String time = text.strip();
     if (TWO_NUMBERS.matcher(time).matches()) {
@@ -152,7 +152,7 @@ final class Times {
   }
 
   /** Returns the time on the day that brings it nearest to the time read before. */
-  private double ofDay(Matcher time) {
+  private double fromTimeOfDay(Matcher time) {
     double seconds = number(time, "days") * DAY + clock(time);
     if (Double.isNaN(seconds)) {
       return seconds;

@@ -17,7 +17,7 @@ public interface TrackFormat {
    */
   Clock read(Recording recording, SampleSink samples);
 
-  /** The unit of positions where neither the user nor the file says it. */
+  /** The unit of positions if neither the user nor the file gives one. */
   default Unit usualUnit() {
     return Unit.M;
   }
@@ -30,7 +30,7 @@ public interface TrackFormat {
     return true;
   }
 
-  /** Whether the same name is that of another target where time goes back. */
+  /** Whether a name belongs to another target where time goes back. */
   default boolean reusesIds() {
     return false;
   }

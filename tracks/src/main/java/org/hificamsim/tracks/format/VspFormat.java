@@ -5,7 +5,7 @@ import org.hificamsim.core.file.TextLines;
 
 /**
  * UCY's annotations: splines, each with a number of control points {@code x y frame gaze}, in
- * pixels from the middle of the picture, y up. What follows {@code -} in a line is a comment. Every
+ * pixels from the middle of the picture, y up. Text after {@code -} in a line is a comment. Every
  * spline is a target, which gets a sample every ten frames, as in the files of positions of the
  * same recordings.
  */

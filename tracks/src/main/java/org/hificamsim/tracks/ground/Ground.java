@@ -15,8 +15,8 @@ public interface Ground {
   /**
    * Returns the conversion of a unit.
    *
-   * @param homography from pictures to the ground
-   * @param projection of degrees, whose origin is the first sample if it has none
+   * @param homography the homography from pictures to the ground; empty if there is none
+   * @param projection the projection of degrees; its origin is the first sample if it has none
    * @throws InputException if there are pixels without a homography, or a homography without pixels
    */
   static Ground of(Unit unit, Optional<Homography> homography, LocalProjection projection) {

@@ -116,7 +116,7 @@ final class ArenaLayout {
     return discs.stream().allMatch(disc -> distance(disc, x, y) >= distance);
   }
 
-  /** The distance of a place from the border of a disc, negative inside. */
+  /** The distance of a point from the border of a disc, negative inside. */
   static double distance(Obstacle disc, double x, double y) {
     Obstacle.Pillar pillar = (Obstacle.Pillar) disc;
     return Math.hypot(x - pillar.x(), y - pillar.y()) - pillar.radius();

@@ -120,7 +120,7 @@ final class Freight {
       pay = CARGO_PAY * cargoes;
     }
 
-    /** Delivers the load and takes another one; without one, goes to where cargoes wait. */
+    /** Delivers the load and takes another one; if there is none, goes to where cargoes wait. */
     private void arrive() {
       int here = destination;
       undelivered -= load;

@@ -25,7 +25,7 @@ final class GreedyCameras implements AimingZoomPolicy {
   /** The angle of view of each camera, degrees. */
   private double[] angle = {};
 
-  // The place where each target was last seen, and the steps since then.
+  // The position where each target was last seen, and the number of steps since then.
   private double[] x = {};
   private double[] y = {};
   private int[] age = {};

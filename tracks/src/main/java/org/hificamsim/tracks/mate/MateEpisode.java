@@ -28,8 +28,8 @@ import org.hificamsim.data.CsvRow;
  */
 public record MateEpisode(int steps, int cameras, int targets, double coverage) {
   private static final double TRANSMITTANCE = 0.1;
-  private static final double MAX = 1e9;
-  private static final String NUMBER = "a number from -1e9 to 1e9";
+  private static final double MAX_NUMBER = 1e9;
+  private static final String EXPECTED_NUMBER = "a number from -1e9 to 1e9";
   private static final List<String> CAMERA_COLUMNS =
       List.of("x", "y", "orientation", "viewing_angle", "sight_range");
 
@@ -73,7 +73,7 @@ public record MateEpisode(int steps, int cameras, int targets, double coverage) 
                   new Obstacle.Pillar(
                       number(row, "x"),
                       number(row, "y"),
-                      row.number("radius", Double.MIN_NORMAL, MAX, "a number above 0"),
+                      row.number("radius", Double.MIN_NORMAL, MAX_NUMBER, "a number above 0"),
                       TRANSMITTANCE)));
     }
     return new Obstacles(discs);
@@ -94,7 +94,7 @@ public record MateEpisode(int steps, int cameras, int targets, double coverage) 
   }
 
   private static double number(CsvRow row, String column) {
-    return row.number(column, -MAX, MAX, NUMBER);
+    return row.number(column, -MAX_NUMBER, MAX_NUMBER, EXPECTED_NUMBER);
   }
 
   /** The expected share of the targets that a camera sees in the step of a row. */

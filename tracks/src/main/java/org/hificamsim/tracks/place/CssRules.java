@@ -10,7 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
 
-/** The rules of style sheets, as in CSS 2.1; what is not understood is skipped, as CSS demands. */
+/** The rules of style sheets, as in CSS 2.1; unknown rules are skipped, as CSS demands. */
 final class CssRules {
   private static final Pattern DRAWN_MEDIA =
       Pattern.compile("@media\\b(?!.*\\bprint\\b)(?!.*\\bnot\\b)(?!.*\\().*", Pattern.DOTALL);
@@ -19,7 +19,7 @@ final class CssRules {
   /**
    * A selector with its declarations.
    *
-   * @param order number of the rule
+   * @param order position of the rule in the style sheets
    */
   private record Rule(CssSelector selector, Map<String, String> declarations, int order) {}
 
@@ -42,7 +42,7 @@ final class CssRules {
     return rest.append(css, start, css.length()).toString().replace("<!--", "").replace("-->", "");
   }
 
-  private void addRules(String css, boolean outside) {
+  private void addRules(String css, boolean isTopLevel) {
     int start = 0;
     while (start < css.length()) {
       int brace = css.indexOf('{', start);
@@ -56,19 +56,19 @@ final class CssRules {
         return;
       } else {
         int end = closing(css, brace);
-        addRule(css.substring(start, brace).strip(), css.substring(brace + 1, end), outside);
+        addRule(css.substring(start, brace).strip(), css.substring(brace + 1, end), isTopLevel);
         start = end + 1;
       }
     }
   }
 
   /**
-   * @param outside whether the rule is not in another one
+   * @param isTopLevel whether the rule is not inside another one
    */
-  private void addRule(String head, String body, boolean outside) {
+  private void addRule(String head, String body, boolean isTopLevel) {
     if (!head.startsWith("@")) {
       addRule(head, declarations(body));
-    } else if (outside && DRAWN_MEDIA.matcher(head).matches()) {
+    } else if (isTopLevel && DRAWN_MEDIA.matcher(head).matches()) {
       addRules(body, false);
     }
   }
@@ -126,7 +126,7 @@ final class CssRules {
    * Returns an element's own values of properties: of its attributes, then of rules, then of its
    * {@code style}.
    *
-   * @param properties that may be attributes
+   * @param properties the properties that may also be attributes
    */
   Map<String, String> values(SvgNode node, List<String> properties) {
     Map<String, String> values = new HashMap<>();

@@ -42,8 +42,8 @@ final class CssSelector {
   /**
    * A class, an id or an attribute that an element needs.
    *
-   * @param kind a point, a # or a bracket
-   * @param value of an attribute; null for any
+   * @param kind '.' for a class, '#' for an id, '[' for an attribute
+   * @param value value of the attribute; null for any
    */
   private record Condition(char kind, String name, String value) {
     boolean matches(SvgNode node) {
@@ -97,9 +97,7 @@ final class CssSelector {
     return conditions;
   }
 
-  /**
-   * The name, type or "*" that an element needs, a class with a point and an id with # in front.
-   */
+  /** The class, id, type or "*" that an element needs; a class begins with '.', an id with '#'. */
   String key() {
     Compound last = compounds.get(compounds.size() - 1);
     return last.conditions().stream()
@@ -124,7 +122,7 @@ final class CssSelector {
   /**
    * Whether an element is selected.
    *
-   * @param path from the root to the element
+   * @param path the elements from the root to this one
    */
   boolean matches(List<SvgNode> path) {
     int count = compounds.size();

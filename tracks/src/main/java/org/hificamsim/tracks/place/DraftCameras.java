@@ -16,9 +16,9 @@ import org.hificamsim.core.scenario.spec.Field;
 /**
  * A first draft of cameras: domes at equal distances along the border of the field, from its lower
  * left corner, that look at its middle. If walls have heights, cameras hang at 3 m and look down. A
- * camera that would be in a wall is moved along the border. One from which people are hidden by
- * walls, or too far away, is moved towards the middle, to where it sees most of them, and looks at
- * these.
+ * camera that would be in a wall is moved along the border. A camera that sees few people, because
+ * of walls or distance, is moved towards the middle, to the position where it sees most, and looks
+ * at them.
  */
 public final class DraftCameras {
   /** The distance from the border, as a share of the field's shorter side. */
@@ -34,20 +34,25 @@ public final class DraftCameras {
 
   private final Field field;
   private final Obstacles obstacles;
-  private final Way way;
+  private final PeoplePositions positions;
   private final boolean flat;
   private final List<CameraSpec> cameras = new ArrayList<>();
 
   /**
-   * @param way positions of people that cameras should see
-   * @param count of cameras
-   * @param pixelsPerMetre of people that are seen
+   * @param positions positions of people that cameras should see
+   * @param count number of cameras
+   * @param pixelsPerMetre pixel density that cameras need to see people
    */
-  public DraftCameras(Field field, Obstacles obstacles, Way way, int count, double pixelsPerMetre) {
+  public DraftCameras(
+      Field field,
+      Obstacles obstacles,
+      PeoplePositions positions,
+      int count,
+      double pixelsPerMetre) {
     this.pixelsPerMetre = pixelsPerMetre;
     this.field = field;
     this.obstacles = obstacles;
-    this.way = way;
+    this.positions = positions;
     this.flat = obstacles.all().stream().allMatch(Obstacle::full);
     for (int i = 0; i < count; i++) {
       cameras.add(camera("camera-" + (i + 1), (double) i / count));
@@ -59,16 +64,19 @@ public final class DraftCameras {
     return Collections.unmodifiableList(cameras);
   }
 
-  /** Says that no camera sees anybody, and why; empty if one sees somebody. */
-  public Optional<String> blind() {
+  /** A warning that no camera sees anybody, with the reason; empty if one sees somebody. */
+  public Optional<String> blindnessWarning() {
     if (cameras.isEmpty()
-        || cameras.stream().anyMatch(camera -> way.points().stream().anyMatch(sees(camera)))) {
+        || cameras.stream()
+            .anyMatch(camera -> positions.points().stream().anyMatch(sees(camera)))) {
       return Optional.empty();
     }
     boolean isClear =
         cameras.stream()
             .map(camera -> new Point(camera.x(), camera.y()))
-            .anyMatch(place -> way.points().stream().anyMatch(point -> isClear(place, point)));
+            .anyMatch(
+                position ->
+                    positions.points().stream().anyMatch(point -> isClear(position, point)));
     return Optional.of(
         isClear
             ? Texts.format(
@@ -103,24 +111,27 @@ public final class DraftCameras {
 
   private CameraSpec camera(String name, double share) {
     Point border = freePoint(share);
-    Point place = towardsPeople(border);
-    boolean moved = place.x() != border.x() || place.y() != border.y(); // equals starts slowly
-    Point target = moved ? mean(seenFrom(place)) : middle();
+    Point position = towardsPeople(border);
+    boolean moved =
+        position.x() != border.x() || position.y() != border.y(); // equals starts slowly
+    Point target = moved ? mean(seenFrom(position)) : middle();
     CameraSpec camera =
-        DraftOptics.camera(name, DraftOptics.DOME, place.x(), place.y(), target.x(), target.y());
-    double far = 2 * Math.hypot(target.x() - place.x(), target.y() - place.y());
+        DraftOptics.camera(
+            name, DraftOptics.DOME, position.x(), position.y(), target.x(), target.y());
+    double far = 2 * Math.hypot(target.x() - position.x(), target.y() - position.y());
     return flat ? camera : DraftOptics.hung(camera, far);
   }
 
   /**
-   * The point itself if it sees half as many positions as the best one on the way to the middle.
+   * Returns the border point if it sees at least half as many positions as the best point between
+   * it and the middle; otherwise the best point.
    */
   private Point towardsPeople(Point border) {
     Point middle = middle();
     Point best = border;
     int most = seenFrom(border).size();
     int enough = 2 * most;
-    for (int i = 1; i < RINGS && most < way.points().size(); i++) {
+    for (int i = 1; i < RINGS && most < positions.points().size(); i++) {
       double part = (double) i / RINGS;
       Point point =
           PlanPoints.rounded(
@@ -137,7 +148,7 @@ public final class DraftCameras {
 
   private List<Point> seenFrom(Point camera) {
     double reach = reach(Collections.min(DraftOptics.DOME.anglesOfView()));
-    return way.points().stream()
+    return positions.points().stream()
         .filter(point -> Math.hypot(point.x() - camera.x(), point.y() - camera.y()) <= reach)
         .filter(point -> isClear(camera, point))
         .toList();

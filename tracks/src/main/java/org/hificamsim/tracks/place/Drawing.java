@@ -38,8 +38,8 @@ public final class Drawing {
   private final List<DrawnPart> parts = new ArrayList<>();
   private final Map<Label, Integer> labels = new HashMap<>();
   private final Map<String, Integer> leftOut = new TreeMap<>();
-  private final Set<String> used = new TreeSet<>();
-  private final Set<String> hidden = new TreeSet<>();
+  private final Set<String> usedNames = new TreeSet<>();
+  private final Set<String> hiddenNames = new TreeSet<>();
   private InputException oddHeight; // null if all heights are right
   private WalkableArea walkableArea; // null until it is asked for
   private long points;
@@ -52,7 +52,7 @@ public final class Drawing {
   /**
    * Adds a shape if it is chosen.
    *
-   * @param place of the shape in the file
+   * @param place place of the shape in the file
    * @throws InputException if the drawing becomes too large
    */
   void add(Place place, DrawnShape shape, Traits traits) {
@@ -62,7 +62,7 @@ public final class Drawing {
       }
     }
     Set<String> matching = choice.matching(traits.labels());
-    used.addAll(matching);
+    usedNames.addAll(matching);
     if (!matching.isEmpty() || choice.names().isEmpty()) {
       keep(place, new DrawnPart(shape, traits.height()));
     }
@@ -79,23 +79,22 @@ public final class Drawing {
     }
   }
 
-  /** Counts a thing of the file that cannot become a wall. */
+  /** Counts an element of the file that cannot become a wall. */
   void leaveOut(String kind) {
     leftOut.merge(kind, 1, Integer::sum);
   }
 
-  /** Counts a thing that is not drawn, and remembers the names by which it could be chosen. */
+  /** Counts an element that is not drawn, and keeps the names by which it could be chosen. */
   void hide(String kind, List<Label> names) {
     leaveOut(kind);
     names.stream()
         .map(Label::name)
-        .filter(name -> name.length() <= MAX_NAME_LENGTH && hidden.size() < MAX_NAMES)
-        .forEach(hidden::add);
+        .filter(name -> name.length() <= MAX_NAME_LENGTH && hiddenNames.size() < MAX_NAMES)
+        .forEach(hiddenNames::add);
   }
 
   /**
-   * Reads the height of a shape, metres; infinite if it has a wrong one, which is counted as left
-   * out.
+   * Reads the height of a shape, metres; infinite if it is invalid, which is counted as left out.
    */
   double height(DoubleSupplier reading) {
     try {
@@ -146,8 +145,8 @@ public final class Drawing {
   Drawing complete() {
     choice.requireUsed(
         file.toString(),
-        used,
-        hidden,
+        usedNames,
+        hiddenNames,
         labels.keySet().stream().map(Label::name).distinct().sorted().toList());
     if (parts.isEmpty()) {
       throw InputException.of(
@@ -180,7 +179,7 @@ public final class Drawing {
     return obstacles;
   }
 
-  /** The things that cannot become walls, in one line; empty if there are none. */
+  /** The elements that cannot become walls, in one line; empty if there are none. */
   public Optional<String> leftOut() {
     return leftOut.isEmpty()
         ? Optional.empty()

@@ -5,13 +5,13 @@ import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
 
 /**
- * How a drawing or map is read.
+ * Settings for reading a drawing or map.
  *
- * @param unit of coordinates; if present, it overrides that of the file
- * @param usualUnit of coordinates in files that have none
- * @param projection of degrees
- * @param frame of drawings without a unit; empty if their scale is not known
- * @param choice of what is a wall
+ * @param unit unit of coordinates; if present, it overrides that of the file
+ * @param usualUnit unit of coordinates in files that have none
+ * @param projection projection of degrees to metres
+ * @param frame scale and position of drawings without a unit; empty if they are not known
+ * @param choice the parts of the drawing that are walls
  */
 public record DrawingSettings(
     Optional<Unit> unit,

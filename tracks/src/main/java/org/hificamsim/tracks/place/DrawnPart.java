@@ -4,7 +4,7 @@ import java.util.List;
 import org.hificamsim.core.Place;
 
 /**
- * A shape with what a drawing says of it.
+ * A shape of a drawing with its height.
  *
  * @param height metres; infinite if the drawing has none
  */

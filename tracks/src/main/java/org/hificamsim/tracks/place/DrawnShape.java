@@ -22,7 +22,7 @@ sealed interface DrawnShape {
   /**
    * A line through points, from which walls are made.
    *
-   * @param corners one or more
+   * @param corners one corner or more
    */
   record Line(List<Point> corners) implements DrawnShape {
     @Override
@@ -39,7 +39,7 @@ sealed interface DrawnShape {
   /**
    * An area with its holes. Each border may or may not repeat its first point at its end.
    *
-   * @param border one point or more
+   * @param border corners of the outer border, one or more
    * @param solid whether the area is filled; otherwise its borders are walls
    */
   record Area(List<Point> border, List<List<Point>> holes, boolean solid) implements DrawnShape {

@@ -31,14 +31,14 @@ final class DxfCurves {
         2 * radius,
         -start,
         -sweep,
-        Arc2D.OPEN); // its y is down
+        Arc2D.OPEN); // Arc2D has y downwards
   }
 
   /**
    * Returns a polyline.
    *
-   * @param corners x, y and the bulge of the edge that begins there: the tangent of a quarter of
-   *     the angle of its arc, positive counterclockwise
+   * @param corners x, y and the bulge of the edge that begins at each corner: the tangent of a
+   *     quarter of the angle of its arc, positive counterclockwise
    */
   static Shape polyline(List<double[]> corners, boolean isClosed) {
     Path2D path = new Path2D.Double();
@@ -77,7 +77,7 @@ final class DxfCurves {
    * Returns an arc of an ellipse.
    *
    * @param axis the end of the major axis from the centre
-   * @param ratio of the minor axis to the major one
+   * @param ratio ratio of the minor axis to the major one
    * @param start parameter, radians
    * @param end parameter, radians
    */

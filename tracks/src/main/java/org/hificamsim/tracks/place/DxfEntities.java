@@ -72,7 +72,7 @@ final class DxfEntities {
     return flat(fields, new Outline(fields.toPlan().createTransformedShape(shape), Kind.LINES));
   }
 
-  /** Leaves an entity out that does not lie in the plane. */
+  /** Leaves out an entity that does not lie in the plane. */
   private static Content flat(DxfFields fields, Content content) {
     return fields.isFlat()
         ? content
@@ -138,7 +138,7 @@ final class DxfEntities {
 
   private static Shape spline(DxfFields fields) {
     List<double[]> control = fields.points(10, -1);
-    double[] weights = fields.all(41);
+    double[] weights = fields.numbers(41);
     for (int i = 0; i < control.size(); i++) {
       control.get(i)[2] = i < weights.length ? weights[i] : 1;
     }
@@ -147,15 +147,15 @@ final class DxfEntities {
       return DxfCurves.polyline(fitted, false);
     }
     int degree = fields.integer(71, 3);
-    if (!DxfCurves.isSpline(degree, control, fields.all(40))) {
+    if (!DxfCurves.isSpline(degree, control, fields.numbers(40))) {
       throw fields
           .place()
           .error(
               "SPLINE has degree %s, %s points and %s knots, expected rising knots, as many as"
                   + " points and degree and one, and weights above 0",
-              degree, control.size(), fields.all(40).length);
+              degree, control.size(), fields.numbers(40).length);
     }
-    return DxfCurves.spline(degree, control, fields.all(40));
+    return DxfCurves.spline(degree, control, fields.numbers(40));
   }
 
   private static Content solid(DxfFields fields) {

@@ -5,11 +5,12 @@ import java.awt.geom.AffineTransform;
 import org.hificamsim.core.Place;
 
 /**
- * A thing that a DXF draws.
+ * An entity that a DXF draws.
  *
- * @param colour number of the AutoCAD Color Index; 0 as the block, 256 as the layer
- * @param handle its id; empty without one
- * @param content what is drawn
+ * @param colour number of the AutoCAD Color Index; 0 for the colour of the block, 256 for that of
+ *     the layer
+ * @param handle the id of the entity; empty if it has none
+ * @param content the shape or block that is drawn
  */
 record DxfEntity(Place place, String layer, int colour, String handle, Content content) {
   static final int COLOUR_OF_BLOCK = 0;
@@ -28,9 +29,9 @@ record DxfEntity(Place place, String layer, int colour, String handle, Content c
    * A block that is drawn at places of a grid.
    *
    * @param toParent the transform of the first place, without the scale
-   * @param scale of the block in x and y
+   * @param scale scale of the block in x and y
    * @param grid the numbers of columns and rows
-   * @param spacing of columns and rows
+   * @param spacing distances between columns and between rows
    */
   record Insert(
       String block, AffineTransform toParent, double[] scale, int[] grid, double[] spacing)
@@ -45,9 +46,9 @@ record DxfEntity(Place place, String layer, int colour, String handle, Content c
   }
 
   /**
-   * A thing that cannot become a wall.
+   * An entity that cannot become a wall.
    *
-   * @param kind its name in words
+   * @param kind name of the kind, for messages
    */
   record Other(String kind) implements Content {}
 }

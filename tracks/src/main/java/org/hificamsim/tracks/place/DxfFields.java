@@ -95,7 +95,7 @@ final class DxfFields {
   }
 
   /** All numbers with a code, in their order. */
-  double[] all(int code) {
+  double[] numbers(int code) {
     double[] found = new double[numbers.size()];
     int count = 0;
     for (int i = 0; i < codes.size(); i++) {

@@ -6,8 +6,8 @@ import java.util.Map;
 
 /** The layers of a DXF. */
 final class DxfLayers {
-  /** The layer whose things in a block are on the layer of the block. */
-  static final String OF_BLOCK = "0";
+  /** Entities of a block on this layer take the layer of the insert that draws the block. */
+  static final String LAYER_OF_INSERT = "0";
 
   private static final int FROZEN = 1;
   private static final int USUAL_COLOUR = 7;

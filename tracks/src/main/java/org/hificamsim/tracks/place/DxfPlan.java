@@ -24,15 +24,15 @@ final class DxfPlan {
   /**
    * A block.
    *
-   * @param toOrigin moves its base point to the origin
+   * @param toOrigin the transform that moves the block's base point to the origin
    */
-  record Block(List<DxfEntity> entities, AffineTransform toOrigin, boolean isElsewhere) {}
+  record Block(List<DxfEntity> entities, AffineTransform toOrigin, boolean isInOtherFile) {}
 
   /**
-   * Where and how an entity is drawn.
+   * The surroundings in which an entity is drawn.
    *
-   * @param layer of the innermost insert around
-   * @param colour of the innermost insert around
+   * @param layer layer of the innermost insert around
+   * @param colour colour of the innermost insert around
    * @param blocks the names of all blocks around
    */
   private record Context(AffineTransform toMetres, String layer, int colour, List<Label> blocks) {}
@@ -54,11 +54,12 @@ final class DxfPlan {
 
   /** Draws an entity that is in no block. */
   void draw(DxfEntity entity, AffineTransform toMetres) {
-    draw(entity, new Context(toMetres, DxfLayers.OF_BLOCK, 7, List.of()));
+    draw(entity, new Context(toMetres, DxfLayers.LAYER_OF_INSERT, 7, List.of()));
   }
 
   private void draw(DxfEntity entity, Context around) {
-    String layer = entity.layer().equals(DxfLayers.OF_BLOCK) ? around.layer() : entity.layer();
+    String layer =
+        entity.layer().equals(DxfLayers.LAYER_OF_INSERT) ? around.layer() : entity.layer();
     int colour = colour(entity, layer, around);
     boolean isInsert = entity.content() instanceof Insert;
     if (isInsert ? layers.isFrozen(layer) : layers.isHidden(layer)) {
@@ -102,7 +103,7 @@ final class DxfPlan {
 
   private void insert(DxfEntity entity, Insert insert, Context around) {
     Block block = blocks.get(insert.block().toLowerCase(Locale.ROOT));
-    if (block == null || block.isElsewhere()) {
+    if (block == null || block.isInOtherFile()) {
       drawing.leaveOut(block == null ? "insert of nothing" : "insert of another file");
     } else if (!active.add(block)) {
       drawing.leaveOut("insert of itself");

@@ -20,7 +20,7 @@ import org.hificamsim.core.Spelling;
  */
 final class DxfReader {
   /** A block with this flag is a reference to another file. */
-  private static final int ELSEWHERE = 4;
+  private static final int IN_OTHER_FILE = 4;
 
   private static final int MAX_BLOCK_ENTITIES = 1_000_000;
 
@@ -43,9 +43,9 @@ final class DxfReader {
     return new Pass(Double.NaN).draw();
   }
 
-  /** The metres of a unit: by the settings, or else by the file. */
+  /** The length of a unit in metres: from the settings, or else from the file. */
   private double metresPerUnit() {
-    double ofFile = DxfUnits.metres(units);
+    double metresInFile = DxfUnits.metres(units);
     if (settings.unit().isPresent()) {
       double metresOfUnit = settings.unit().get().metres();
       if (Double.isNaN(metresOfUnit)) {
@@ -60,14 +60,14 @@ final class DxfReader {
       if (scale instanceof PlanScale.PerUnit perUnit) {
         return perUnit.metres();
       }
-      ofFile *= scale instanceof PlanScale.Paper paper ? paper.ratio() : 1;
+      metresInFile *= scale instanceof PlanScale.Paper paper ? paper.ratio() : 1;
     }
-    if (Double.isNaN(ofFile)) {
+    if (Double.isNaN(metresInFile)) {
       throw InputException.of(
           "%s: the drawing has no unit ($INSUNITS), expected %s, such as mm, or %s",
           file, setting("walls_unit"), setting("scale", "M"));
     }
-    return ofFile;
+    return metresInFile;
   }
 
   /** One reading of the file. */
@@ -79,7 +79,7 @@ final class DxfReader {
     private int blockEntities;
 
     /**
-     * @param metres of a unit; NaN if settings or file have it
+     * @param metres length of a unit; NaN to take it from the settings or the file
      */
     Pass(double metres) {
       this.metres = metres;
@@ -163,7 +163,8 @@ final class DxfReader {
       }
       AffineTransform toOrigin =
           AffineTransform.getTranslateInstance(-head.number(10, 0), -head.number(20, 0));
-      plan.addBlock(head.name(), new DxfPlan.Block(entities, toOrigin, head.hasFlag(ELSEWHERE)));
+      plan.addBlock(
+          head.name(), new DxfPlan.Block(entities, toOrigin, head.hasFlag(IN_OTHER_FILE)));
     }
 
     private void entities(DxfTags tags) {

@@ -77,7 +77,7 @@ final class DxfTags implements Closeable {
     return code == expectedCode && value.strip().equals(expectedValue);
   }
 
-  /** The value without blanks around it, a character for each byte. */
+  /** The value without blanks around it, with one character for each byte. */
   String value() {
     return value.strip();
   }

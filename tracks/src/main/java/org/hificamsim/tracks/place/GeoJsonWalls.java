@@ -32,13 +32,13 @@ final class GeoJsonWalls {
     try (JsonStream stream = JsonStream.open(file)) {
       json = stream;
       json.next();
-      Feature rest = new Feature();
-      object(rest);
-      rest.add();
+      Feature topLevel = new Feature();
+      readObject(topLevel);
+      topLevel.add();
     }
   }
 
-  /** The shapes of an object, and what its properties say of them. */
+  /** The shapes of an object, with the labels and the height in its properties. */
   private final class Feature {
     private final List<DrawnShape> shapes = new ArrayList<>();
     private final List<Label> labels = new ArrayList<>();
@@ -52,7 +52,7 @@ final class GeoJsonWalls {
   }
 
   /** Reads an object that may be a geometry, or contain geometries. */
-  private void object(Feature parent) {
+  private void readObject(Feature parent) {
     Feature own = new Feature();
     String[] type = {""};
     List<List<Point>> lines = new ArrayList<>();
@@ -70,12 +70,12 @@ final class GeoJsonWalls {
           } else if (name.equals("properties")) {
             own.hasProperties = true;
             if (isObject) {
-              json.object("properties", property -> property(own, property));
+              json.object("properties", property -> readProperty(own, property));
             }
           } else if (isArray) {
-            json.array("an array", () -> member(own));
+            json.array("an array", () -> readMember(own));
           } else {
-            member(own);
+            readMember(own);
           }
         });
     addShapes(own, type[0], lines);
@@ -86,13 +86,13 @@ final class GeoJsonWalls {
     }
   }
 
-  private void member(Feature own) {
+  private void readMember(Feature own) {
     if (json.token() == JsonToken.START_OBJECT) {
-      object(own);
+      readObject(own);
     }
   }
 
-  private void property(Feature own, String name) {
+  private void readProperty(Feature own, String name) {
     if (name.equals("height") && json.token() != JsonToken.VALUE_NULL) {
       own.height = drawing.height(this::height);
     } else if (json.token().isScalarValue() && json.text().length() <= MAX_LABEL) {
@@ -119,7 +119,7 @@ final class GeoJsonWalls {
     }
   }
 
-  /** The areas of borders, each followed by those of its holes. */
+  /** Makes areas from rings: a ring within the area before it is one of its holes. */
   private static List<DrawnShape> areas(List<List<Point>> rings) {
     List<DrawnShape> areas = new ArrayList<>();
     Area last = null;

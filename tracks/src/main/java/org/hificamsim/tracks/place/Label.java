@@ -6,7 +6,7 @@ import java.util.Set;
 /**
  * A name by which parts of a drawing can be chosen.
  *
- * @param kind what the name is, such as "layer"
+ * @param kind the kind of the name, such as "layer"
  */
 record Label(String kind, String name) {
   private static final Set<String> COLOURS = Set.of("color", "colour", "stroke", "fill");

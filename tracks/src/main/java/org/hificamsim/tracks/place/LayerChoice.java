@@ -14,14 +14,15 @@ import org.hificamsim.core.Nearest;
 /**
  * The parts of a drawing that are walls, chosen by layer, class, id or colour.
  *
- * @param names in any case; {@code *} stands for any characters; empty to choose everything
+ * @param names the chosen names, in any case; {@code *} stands for any characters; empty to choose
+ *     everything
  * @param isForList whether shapes beyond the limit are counted, but not kept
  */
 public record LayerChoice(List<String> names, boolean isForList) {
   /** Chooses everything. */
   public static final LayerChoice ALL = new LayerChoice(List.of());
 
-  /** Chooses everything of a drawing of any size, of which only the names are needed. */
+  /** Chooses everything in a drawing of any size, to list its names only. */
   public static final LayerChoice FOR_LIST = new LayerChoice(List.of(), true);
 
   /** Chooses by names. */
@@ -56,7 +57,7 @@ public record LayerChoice(List<String> names, boolean isForList) {
    * Refuses names that chose nothing.
    *
    * @param used the names that chose a part
-   * @param hidden names of parts that are not drawn
+   * @param hidden the names of parts that are not drawn
    * @param known the names that the drawing has
    */
   void requireUsed(String file, Set<String> used, Set<String> hidden, Collection<String> known) {

@@ -14,8 +14,8 @@ import org.hificamsim.tracks.place.DrawnPart.Traits;
 /**
  * Adds an outline to a drawing; curves become chords.
  *
- * @param place in the file
- * @param toMetres from the coordinates of the outline
+ * @param place the outline's place in the file
+ * @param toMetres the transform from the coordinates of the outline to metres
  */
 record OutlineMaker(Drawing drawing, Place place, AffineTransform toMetres, Traits traits) {
   /** The largest distance of a chord from its curve, metres. */

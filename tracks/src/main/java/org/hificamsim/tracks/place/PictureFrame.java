@@ -16,8 +16,8 @@ import org.hificamsim.core.scenario.spec.Field;
 /**
  * The position of a drawing or picture on the ground.
  *
- * @param x of the lower left corner, metres
- * @param y of the lower left corner, metres
+ * @param x x of the lower left corner, metres
+ * @param y y of the lower left corner, metres
  */
 public record PictureFrame(PlanScale scale, double x, double y) {
   /**

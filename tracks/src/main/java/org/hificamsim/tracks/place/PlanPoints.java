@@ -8,8 +8,8 @@ import org.hificamsim.tracks.ground.LocalProjection;
 /**
  * Converts the points of a file to metres, rounded to the millimetre.
  *
- * @param unit of the file
- * @param projection of degrees
+ * @param unit unit of the file
+ * @param projection projection of degrees to metres
  */
 record PlanPoints(Unit unit, LocalProjection projection) {
   private static final double PER_MILLIMETRE = 1e3;

@@ -3,7 +3,7 @@ package org.hificamsim.tracks.place;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
 
-/** How large the things of a drawing or picture are in reality. */
+/** The scale of a drawing or picture. */
 public sealed interface PlanScale {
   /**
    * Metres per pixel, or per unit of the drawing.
@@ -15,12 +15,12 @@ public sealed interface PlanScale {
   /**
    * The scale of a paper, such as 1:100.
    *
-   * @param ratio how many times larger the real things are, above 0
+   * @param ratio ratio of real to drawn lengths, above 0
    */
   record Paper(double ratio) implements PlanScale {}
 
   /**
-   * The width of all that is drawn, or of the picture.
+   * The width of the whole drawing or picture.
    *
    * @param metres above 0
    */

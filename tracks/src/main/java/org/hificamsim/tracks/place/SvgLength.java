@@ -17,20 +17,20 @@ final class SvgLength {
   /**
    * Returns a length in pixels, which are units of the drawing.
    *
-   * @param whole the length of 100 %; NaN if it is not known
+   * @param fullLength the length of 100 %; NaN if it is not known
    * @return NaN if the text is no length
    */
-  static double pixels(String text, double whole) {
+  static double pixels(String text, double fullLength) {
     Matcher matcher = LENGTH.matcher(text.strip());
     return matcher.matches()
-        ? Double.parseDouble(matcher.group(1)) * unit(matcher.group(2), whole)
+        ? Double.parseDouble(matcher.group(1)) * unit(matcher.group(2), fullLength)
         : Double.NaN;
   }
 
-  private static double unit(String unit, double whole) {
+  private static double unit(String unit, double fullLength) {
     return switch (unit.toLowerCase(Locale.ROOT)) {
       case "", "px" -> 1;
-      case "%" -> whole / 100;
+      case "%" -> fullLength / 100;
       case "in" -> PIXELS_PER_INCH;
       case "cm" -> PIXELS_PER_CM;
       case "mm" -> PIXELS_PER_CM / 10;

@@ -19,7 +19,7 @@ import org.apache.batik.parser.AWTTransformProducer;
 /**
  * The geometry of an element of an SVG.
  *
- * @param viewport that lengths in per cent refer to
+ * @param viewport the viewport to which lengths in per cent refer
  */
 record SvgShapes(SvgNode node, SvgViewport viewport) {
   /** The shape; empty for an element that is none, or that has no size. */
@@ -53,8 +53,8 @@ record SvgShapes(SvgNode node, SvgViewport viewport) {
     return new Ellipse2D.Double(x("cx") - radiusX, y("cy") - radiusY, 2 * radiusX, 2 * radiusY);
   }
 
-  private double radius(String attribute, double whole) {
-    return node.text(attribute).equals("auto") ? 0 : length(attribute, whole, 0);
+  private double radius(String attribute, double fullLength) {
+    return node.text(attribute).equals("auto") ? 0 : length(attribute, fullLength, 0);
   }
 
   private double x(String attribute) {
@@ -68,29 +68,31 @@ record SvgShapes(SvgNode node, SvgViewport viewport) {
   /**
    * Reads a length.
    *
-   * @param whole the length of 100 %
-   * @param usual the length without the attribute
+   * @param fullLength the length of 100 %
+   * @param usual the length if the attribute is missing
    */
-  double length(String attribute, double whole, double usual) {
+  double length(String attribute, double fullLength, double usual) {
     String text = node.text(attribute);
     if (!node.has(attribute)) {
       return usual;
     }
-    double pixels = SvgLength.pixels(text, text.endsWith("%") ? known(attribute, whole) : whole);
+    double pixels =
+        SvgLength.pixels(
+            text, text.endsWith("%") ? requireKnown(attribute, fullLength) : fullLength);
     if (Double.isNaN(pixels)) {
       throw SvgViewport.invalid(node, attribute);
     }
     return pixels;
   }
 
-  private double known(String attribute, double whole) {
-    if (Double.isNaN(whole)) {
+  private double requireKnown(String attribute, double fullLength) {
+    if (Double.isNaN(fullLength)) {
       throw node.place()
           .error(
               "<%s> %s is '%s' of a drawing without a size, expected an <svg> with a viewBox",
               node.name(), attribute, node.text(attribute));
     }
-    return whole;
+    return fullLength;
   }
 
   /** The transform of the element; none without one. */

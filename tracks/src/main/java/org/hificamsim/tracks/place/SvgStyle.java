@@ -5,12 +5,12 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Whether and in which colours an element is drawn.
+ * The properties that decide whether and in which colours an element is drawn.
  *
- * @param visible by {@code visibility}
+ * @param visible whether {@code visibility} shows the element
  * @param opaque whether the element and all around it have an opacity above 0
- * @param fill of areas; "none" without
- * @param stroke of lines; empty if nothing says it
+ * @param fill fill colour of areas; "none" if there is none
+ * @param stroke colour of lines; empty if it is not given
  */
 record SvgStyle(boolean visible, boolean opaque, String fill, String stroke) {
   /** The style of the root before its own properties. */
@@ -68,8 +68,8 @@ record SvgStyle(boolean visible, boolean opaque, String fill, String stroke) {
   }
 
   /**
-   * Whether a shape is drawn. A line whose stroke nothing says counts as drawn, although SVG does
-   * not draw it.
+   * Whether a shape is drawn. A line without a given stroke counts as drawn, although SVG does not
+   * draw it.
    *
    * @param isLine whether the shape has no inside
    */

@@ -39,9 +39,9 @@ final class SvgWalls {
   private int drawn;
 
   /**
-   * How an element is drawn.
+   * The surroundings in which an element is drawn.
    *
-   * @param toMetres from its coordinates
+   * @param toMetres the transform from the element's coordinates to metres
    */
   private record Context(
       AffineTransform toMetres, SvgViewport viewport, SvgStyle style, Traits traits) {
@@ -62,9 +62,9 @@ final class SvgWalls {
   }
 
   /**
-   * Draws all.
+   * Draws the whole SVG.
    *
-   * @param toMetres from units of the drawing
+   * @param toMetres the transform from units of the drawing to metres
    */
   void draw(AffineTransform toMetres) {
     SvgNode root = tree.root();
@@ -74,7 +74,7 @@ final class SvgWalls {
     drawInside(root, context, 0);
   }
 
-  /** A size of the drawing, in pixels; NaN if it has none of its own. */
+  /** The width or height of the drawing, in pixels; NaN if it is not given as a length. */
   static double size(SvgNode root, String attribute) {
     String text = root.text(attribute);
     if (text.isEmpty() || text.equals("auto") || text.endsWith("%")) {
@@ -102,7 +102,7 @@ final class SvgWalls {
     }
   }
 
-  /** The context inside a nested drawing or symbol, whose size an element has. */
+  /** The context inside a nested drawing or symbol, whose size the element {@code sized} gives. */
   private static Context nested(SvgNode node, SvgNode sized, Context context) {
     SvgViewport outer = context.viewport();
     SvgShapes lengths = new SvgShapes(sized, outer);

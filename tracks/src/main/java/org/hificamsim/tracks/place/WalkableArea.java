@@ -21,8 +21,8 @@ import org.locationtech.jts.index.strtree.STRtree;
 import org.locationtech.jts.operation.union.UnaryUnionOp;
 
 /**
- * Reads the outermost areas of a drawing as the area that people walk in: what borders their union
- * is a wall, and areas within them stay what they are.
+ * Reads the outermost areas of a drawing as the area that people walk in: the borders of their
+ * union become walls, and areas within them stay obstacles.
  */
 final class WalkableArea {
   private static final GeometryFactory GEOMETRY = new GeometryFactory();
@@ -32,7 +32,7 @@ final class WalkableArea {
   private final Geometry union;
 
   /**
-   * @param parts all of a drawing
+   * @param parts all parts of a drawing
    */
   WalkableArea(List<DrawnPart> parts) {
     this.parts = parts;
@@ -84,7 +84,7 @@ final class WalkableArea {
             .sorted(Comparator.comparingDouble(i -> -polygons.get(i).getArea()))
             .toArray(Integer[]::new);
     int[] rank = new int[polygons.size()];
-    IntStream.range(0, rank.length).forEach(place -> rank[bySize[place]] = place);
+    IntStream.range(0, rank.length).forEach(order -> rank[bySize[order]] = order);
     IntStream.range(0, rank.length)
         .forEach(i -> index.insert(polygons.get(i).getEnvelopeInternal(), i));
     boolean[] inner = new boolean[polygons.size()];
@@ -120,6 +120,8 @@ final class WalkableArea {
   }
 
   private static List<Point> points(Coordinate[] coordinates) {
-    return Arrays.stream(coordinates).map(at -> PlanPoints.rounded(at.x, at.y)).toList();
+    return Arrays.stream(coordinates)
+        .map(coordinate -> PlanPoints.rounded(coordinate.x, coordinate.y))
+        .toList();
   }
 }

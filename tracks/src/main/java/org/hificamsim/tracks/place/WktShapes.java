@@ -22,7 +22,7 @@ import org.locationtech.jts.io.WKTReader;
  * solid obstacles, and polygons with holes the walls of their sides. Z, the same for all points of
  * a line or polygon, is the height of its walls, metres. Curves and surfaces are left out.
  *
- * @param areWalkable whether polygons are where people walk, so that their borders are walls
+ * @param areWalkable whether people walk in the polygons, so that their borders are walls
  */
 record WktShapes(Drawing drawing, PlanPoints planPoints, boolean areWalkable) {
   /** The prefix of PostGIS before a geometry, such as {@code SRID=25832;}. */
@@ -38,14 +38,14 @@ record WktShapes(Drawing drawing, PlanPoints planPoints, boolean areWalkable) {
   /**
    * Adds a geometry.
    *
-   * @param place where its text begins
-   * @param traits what the file says of it otherwise
+   * @param place the place where its text begins
+   * @param traits height and labels that the file gives to it
    * @throws org.hificamsim.core.InputException if the text is none
    */
   void add(Place place, String text, Traits traits) {
     try {
       Geometry geometry = new WKTReader().read(REFERENCE_SYSTEM.matcher(text).replaceFirst(""));
-      add(new At(place, traits), geometry);
+      add(new Source(place, traits), geometry);
     } catch (ParseException | IllegalArgumentException e) {
       String problem = String.valueOf(e.getMessage());
       Matcher other = OTHER.matcher(problem);
@@ -63,39 +63,39 @@ record WktShapes(Drawing drawing, PlanPoints planPoints, boolean areWalkable) {
         .error(LINE.matcher(problem).replaceFirst("").strip() + ", expected well-known text");
   }
 
-  /** The start of a geometry, and its height and labels. */
-  private record At(Place place, Traits traits) {}
+  /** The place where a geometry begins, and its height and labels. */
+  private record Source(Place place, Traits traits) {}
 
-  private void add(At at, Geometry geometry) {
+  private void add(Source source, Geometry geometry) {
     if (geometry instanceof GeometryCollection collection) { // also of lines or of polygons
       for (int i = 0; i < collection.getNumGeometries(); i++) {
-        add(at, collection.getGeometryN(i));
+        add(source, collection.getGeometryN(i));
       }
     } else if (geometry.isEmpty()) {
       return;
     } else if (geometry instanceof Polygon polygon) {
-      List<Point> border = points(at, polygon.getExteriorRing());
+      List<Point> border = points(source, polygon.getExteriorRing());
       List<List<Point>> holes = new ArrayList<>();
       for (int i = 0; i < polygon.getNumInteriorRing(); i++) {
-        holes.add(points(at, polygon.getInteriorRingN(i)));
+        holes.add(points(source, polygon.getInteriorRingN(i)));
       }
       boolean isSolid = holes.isEmpty() && !areWalkable;
-      add(at, new DrawnShape.Area(border, holes, isSolid), polygon);
+      add(source, new DrawnShape.Area(border, holes, isSolid), polygon);
     } else if (geometry instanceof LineString line) {
-      add(at, new DrawnShape.Line(points(at, line)), line);
+      add(source, new DrawnShape.Line(points(source, line)), line);
     } else {
       drawing.leaveOut("point");
     }
   }
 
-  private void add(At at, DrawnShape shape, Geometry geometry) {
+  private void add(Source source, DrawnShape shape, Geometry geometry) {
     double[] heights =
         Arrays.stream(geometry.getCoordinates()).mapToDouble(Coordinate::getZ).distinct().toArray();
     Traits traits =
         Double.isNaN(heights[0])
-            ? at.traits
-            : at.traits.withHeight(drawing.height(() -> height(at.place, heights)));
-    drawing.add(at.place, shape, traits);
+            ? source.traits
+            : source.traits.withHeight(drawing.height(() -> height(source.place, heights)));
+    drawing.add(source.place, shape, traits);
   }
 
   private static double height(Place place, double[] heights) {
@@ -106,14 +106,14 @@ record WktShapes(Drawing drawing, PlanPoints planPoints, boolean areWalkable) {
     return DrawnPart.height(place, heights[0]);
   }
 
-  private List<Point> points(At at, LineString line) {
-    return Arrays.stream(line.getCoordinates()).map(position -> point(at, position)).toList();
+  private List<Point> points(Source source, LineString line) {
+    return Arrays.stream(line.getCoordinates()).map(position -> point(source, position)).toList();
   }
 
-  private Point point(At at, Coordinate position) {
+  private Point point(Source source, Coordinate position) {
     if (!Double.isFinite(position.x) || !Double.isFinite(position.y)) {
-      throw at.place.error("a coordinate is " + position + ", expected numbers");
+      throw source.place.error("a coordinate is " + position + ", expected numbers");
     }
-    return planPoints.point(at.place, position.x, position.y);
+    return planPoints.point(source.place, position.x, position.y);
   }
 }

@@ -39,7 +39,7 @@ final class XmlWalls extends PlainXml {
       case "polygon" -> begin(attributes);
       case "vertex" -> addVertex(name, attributes);
       case "transition", "crossing" -> drawing.leaveOut(name);
-      default -> {} // such as goals and stairs
+      default -> {} // other elements, such as goals and stairs
     }
   }
 

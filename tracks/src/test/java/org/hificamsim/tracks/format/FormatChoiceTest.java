@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Formats are recognised by the beginning of a file. */
+/** Tests that formats are recognised by the beginning of a file. */
 class FormatChoiceTest {
   @TempDir Path folder;
 
@@ -61,7 +61,7 @@ class FormatChoiceTest {
   }
 
   @Test
-  void takesNamedColumnsForTable() throws IOException {
+  void recognisesTableByNamedColumns() throws IOException {
     Recording recording = recording("0,1,5,6,9,9,9", Map.of("time", "1", "x", "2", "y", "3"));
     assertEquals("csv", FormatChoice.of("auto", recording).known().name());
   }
@@ -81,7 +81,7 @@ class FormatChoiceTest {
         "<svg/>|the file begins with <svg>, which fits no format, expected format, one of obsmat",
         "|the file is empty, which fits no format",
       })
-  void namesFormatsWhereNoneOrSeveralFit(String content, String message) throws IOException {
+  void errorNamesFormatsIfNoneOrSeveralFit(String content, String message) throws IOException {
     Recording recording = recording(content == null ? "" : content, Map.of());
     InputException error =
         assertThrows(InputException.class, () -> FormatChoice.of("auto", recording));

@@ -68,7 +68,7 @@ class TimesTest {
   }
 
   @Test
-  void goesOnAfterMidnight() {
+  void continuesAfterMidnight() {
     Times times = new Times();
     assertEquals(86_390, times.seconds("23:59:50"));
     assertEquals(86_401, times.seconds("00:00:01"));
@@ -96,7 +96,7 @@ class TimesTest {
         "2024-05-31T12:00:00+99:00",
         "T12:00:00"
       })
-  void rejectsWhatIsNoTime(String text) {
+  void rejectsTextsThatAreNotTimes(String text) {
     double seconds = new Times().seconds(text);
     assertFalse(Double.isFinite(seconds), () -> text + " is " + seconds);
   }

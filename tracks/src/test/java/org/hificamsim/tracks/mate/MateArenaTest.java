@@ -74,7 +74,7 @@ class MateArenaTest {
 
   /** Targets pass no discs and keep their speed; all freight reaches its destination. */
   @Test
-  void targetsAvoidDiscsUntilAllIsDelivered() {
+  void targetsAvoidDiscsUntilAllFreightIsDelivered() {
     ArenaLayout arena = new ArenaLayout(SITE, new SplittableRandom(1));
     Scenario layout = arena.scenario();
     Freight freight = new Freight(arena, new SplittableRandom(2));
@@ -83,14 +83,14 @@ class MateArenaTest {
     World world = new World(layout, movements, 3);
     int steps = 0;
     while (!freight.isDelivered()) {
-      double[] before = places(world);
+      double[] before = positions(world);
       world.moveTargets();
-      double[] after = places(world);
+      double[] after = positions(world);
       for (int target = 0; target < world.targets().count(); target++) {
         double x = after[2 * target];
         double y = after[2 * target + 1];
-        double way = Math.hypot(x - before[2 * target], y - before[2 * target + 1]);
-        assertTrue(way <= 2 * world.targets().speed(target), "slides are short");
+        double distance = Math.hypot(x - before[2 * target], y - before[2 * target + 1]);
+        assertTrue(distance <= 2 * world.targets().speed(target), "slides are short");
         assertTrue(layout.field().contains(x, y));
         assertTrue(
             layout.obstacles().stream().allMatch(disc -> ArenaLayout.distance(disc, x, y) > -1e-9)
@@ -103,12 +103,12 @@ class MateArenaTest {
     assertEquals(1, freight.payShare(), "no target was seen");
   }
 
-  private static double[] places(World world) {
-    double[] places = new double[2 * world.targets().count()];
+  private static double[] positions(World world) {
+    double[] positions = new double[2 * world.targets().count()];
     for (int target = 0; target < world.targets().count(); target++) {
-      places[2 * target] = world.targets().x(target);
-      places[2 * target + 1] = world.targets().y(target);
+      positions[2 * target] = world.targets().x(target);
+      positions[2 * target + 1] = world.targets().y(target);
     }
-    return places;
+    return positions;
   }
 }

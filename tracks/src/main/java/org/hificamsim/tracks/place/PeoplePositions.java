@@ -8,7 +8,7 @@ import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.spec.Field;
 
 /** Positions that people take, thinned out evenly to at most 1,000. */
-public final class Way {
+public final class PeoplePositions {
   private static final int MAX_POINTS = 1_000;
 
   /** The number of points along the longer side of a grid. */
@@ -19,8 +19,8 @@ public final class Way {
   private int skipped;
 
   /** Returns a way that has every free part of a field. */
-  public static Way allOver(Field field, Obstacles obstacles) {
-    Way way = new Way();
+  public static PeoplePositions allOver(Field field, Obstacles obstacles) {
+    PeoplePositions way = new PeoplePositions();
     double step = Math.max(field.width(), field.height()) / GRID;
     for (double y = field.minY() + step / 2; y < field.maxY(); y += step) {
       for (double x = field.minX() + step / 2; x < field.maxX(); x += step) {

@@ -12,11 +12,11 @@ import org.hificamsim.tracks.place.LayerChoice;
 import org.hificamsim.tracks.place.PictureFrame;
 import org.hificamsim.tracks.place.WallFile;
 
-/** Reads walls with few settings. */
-final class WallsOf {
-  private WallsOf() {}
+/** Reads walls with default settings, for tests. */
+final class TestWalls {
+  private TestWalls() {}
 
-  static List<Obstacle> file(Path file, Unit usualUnit, Optional<PictureFrame> frame) {
+  static List<Obstacle> obstacles(Path file, Unit usualUnit, Optional<PictureFrame> frame) {
     return drawing(file, usualUnit, frame).obstacles(false);
   }
 
