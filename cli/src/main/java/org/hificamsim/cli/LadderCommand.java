@@ -167,7 +167,7 @@ final class LadderCommand implements Callable<Integer> {
     }
     out.println();
     out.println(header + " ns/step  adds");
-    List<RungResult> all = result.of(RungResult.ALL);
+    List<RungResult> all = result.inScenario(RungResult.ALL);
     for (int i = 0; i < all.size(); i++) {
       String cost = Texts.format("%8.0f  ", result.nanoseconds().get(i));
       out.println(line(columns, all.get(i)) + cost + all.get(i).rung().adds());

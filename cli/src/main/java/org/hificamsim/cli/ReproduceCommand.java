@@ -7,10 +7,10 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Texts;
-import org.hificamsim.reproduction.Adapting;
+import org.hificamsim.reproduction.AdaptingValue;
 import org.hificamsim.reproduction.Distance;
 import org.hificamsim.reproduction.FitRole;
-import org.hificamsim.reproduction.Judged;
+import org.hificamsim.reproduction.JudgedClaim;
 import org.hificamsim.reproduction.Judgement;
 import org.hificamsim.reproduction.Reading;
 import org.hificamsim.reproduction.ReproductionFiles;
@@ -59,7 +59,7 @@ final class ReproduceCommand implements Callable<Integer> {
   }
 
   private static void print(PrintWriter out, Judgement judgement) {
-    out.println(Adapting.finding(judgement.adapting()));
+    out.println(AdaptingValue.finding(judgement.adapting()));
     out.println();
     out.printf(
         "%-8s %-15s %-9s %9s  %-20s %7s %6s  %-8s %s%n",
@@ -89,7 +89,7 @@ final class ReproduceCommand implements Callable<Integer> {
     out.println();
     printDistances(out, judgement.distances());
     out.println();
-    for (Judged statement : judgement.statements()) {
+    for (JudgedClaim statement : judgement.statements()) {
       out.printf(
           "%-15s %-8s %s%n",
           statement.verdict().label(), statement.role().label(), statement.text());
@@ -104,7 +104,9 @@ final class ReproduceCommand implements Callable<Integer> {
   }
 
   private static String text(Table81.Cell cell, Reading reading) {
-    return Double.isNaN(cell.of(reading)) ? "" : Texts.format("%.2f", cell.of(reading));
+    return Double.isNaN(cell.proportion(reading))
+        ? ""
+        : Texts.format("%.2f", cell.proportion(reading));
   }
 
   /** Prints a line for each reading with the distances of the hi-fi column and of CamSim's. */
@@ -130,6 +132,6 @@ final class ReproduceCommand implements Callable<Integer> {
   }
 
   private static String text(Distance distance) {
-    return Texts.format("%.3f, %d of 9", distance.mean(), distance.within());
+    return Texts.format("%.3f, %d of 9", distance.mean(), distance.nearCells());
   }
 }

@@ -25,7 +25,7 @@ import org.hificamsim.network.study.StudyFiles.SetFront;
 import org.hificamsim.network.study.StudyGroup.Members;
 import org.hificamsim.network.study.StudyPlan;
 import org.hificamsim.network.study.StudyResults;
-import org.hificamsim.reproduction.Judged;
+import org.hificamsim.reproduction.JudgedClaim;
 import org.hificamsim.reproduction.ReproductionFiles;
 import org.hificamsim.reproduction.StudyStatements;
 import org.hificamsim.runs.RunPlan;
@@ -124,8 +124,8 @@ final class TradeoffCommand implements Callable<Integer> {
             StudyFiles.writeSummaries(folder, results);
           }
           List<SetFront> fronts = StudyFiles.write(folder, results);
-          List<Judged> statements =
-              StudyStatements.judged(fronts.stream().map(SetFront::group).distinct().toList());
+          List<JudgedClaim> statements =
+              StudyStatements.judge(fronts.stream().map(SetFront::group).distinct().toList());
           ReproductionFiles.VERDICTS.write(folder, statements.stream());
           return out -> print(out, fronts, statements);
         });
@@ -173,7 +173,7 @@ final class TradeoffCommand implements Callable<Integer> {
     return networks;
   }
 
-  private static void print(PrintWriter out, List<SetFront> fronts, List<Judged> statements) {
+  private static void print(PrintWriter out, List<SetFront> fronts, List<JudgedClaim> statements) {
     TextTable table =
         new TextTable(
             4, List.of("scenario", "detection", "networks", "on the front", "hypervolume", "gain"));

@@ -46,7 +46,7 @@ public final class CsvReader implements Closeable {
   private int width;
 
   /**
-   * @param separator of cells; 0 for the most frequent one in the first line
+   * @param separator separator of cells; 0 for the most frequent one in the first line
    */
   private CsvReader(Path file, String expected, boolean verbatim, char separator) {
     this.file = file;
@@ -67,7 +67,7 @@ public final class CsvReader implements Closeable {
    * frequent in its first line. Blanks around values are removed. With semicolons, numbers may have
    * a decimal comma.
    *
-   * @param expected what kind of table it has to be, in error lines
+   * @param expected the expected kind of table, for error messages
    * @throws InputException when it is missing or cannot be read
    */
   public static CsvReader open(Path file, String expected) {
@@ -77,7 +77,7 @@ public final class CsvReader implements Closeable {
   /**
    * Opens a table whose cells are separated by commas, and keeps blanks around values.
    *
-   * @param expected what kind of table it has to be, in error lines
+   * @param expected the expected kind of table, for error messages
    * @throws InputException when it is missing or cannot be read
    */
   public static CsvReader openCommaSeparated(Path file, String expected) {
@@ -87,7 +87,7 @@ public final class CsvReader implements Closeable {
   /**
    * Opens a table whose cells are separated by a given character. Blanks around values are removed.
    *
-   * @param expected what kind of table it has to be, in error lines
+   * @param expected the expected kind of table, for error messages
    * @throws InputException when it is missing or cannot be read
    */
   public static CsvReader openSeparated(Path file, String expected, char separator) {

@@ -91,9 +91,9 @@ public final class JsonStream implements Closeable {
   /**
    * Reads the object that the last token began.
    *
-   * @param expected what the value has to be, for error messages
-   * @param property receives the name of each property and reads its value; what it does not read
-   *     of an object or array is skipped
+   * @param expected the expected kind of value, for error messages
+   * @param property receives the name of each property and reads its value; unread parts of objects
+   *     and arrays are skipped
    */
   public void object(String expected, Consumer<String> property) {
     require(JsonToken.START_OBJECT, expected);
@@ -108,8 +108,8 @@ public final class JsonStream implements Closeable {
   /**
    * Reads the array that the last token began.
    *
-   * @param expected what the value has to be, for error messages
-   * @param item reads each value; what it does not read of an object or array is skipped
+   * @param expected the expected kind of value, for error messages
+   * @param item reads each value; unread parts of objects and arrays are skipped
    */
   public void array(String expected, Runnable item) {
     require(JsonToken.START_ARRAY, expected);

@@ -23,7 +23,7 @@ public record FittedOn(
     double betweenObjects,
     double withinObjects) {
   /**
-   * The range from the smallest to the largest value in the data; lengths are in metres.
+   * The range from the smallest to the largest value in the data, metres.
    *
    * @param most {@code least} or more
    */

@@ -5,7 +5,7 @@ import org.hificamsim.core.detection.Scatter;
 import org.hificamsim.hifi.detector.DetectorModel;
 
 /**
- * How far measured confidences scatter about a detector model g. Their standard deviation is {@code
+ * The scatter of measured confidences about a detector model g. Their standard deviation is {@code
  * least} at a PIP of 0 and grows by {@code growth} per unit by which g rises; {@code growth} is 0
  * if only one number is known.
  *

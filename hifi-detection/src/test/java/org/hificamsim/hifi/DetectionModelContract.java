@@ -53,12 +53,12 @@ public final class DetectionModelContract {
 
   private Stream<DynamicTest> tests(String name) {
     return Stream.of(
-        dynamicTest("goesByItsName", () -> assertEquals(name, maker.get().name())),
+        dynamicTest("hasTheNameOfItsRegistration", () -> assertEquals(name, maker.get().name())),
         dynamicTest("givesANumberForEveryLegalInput", this::givesANumber),
         dynamicTest("givesTheSameTwice", this::givesTheSameTwice),
-        dynamicTest("ignoresBearingUnlessDeclared", this::isHonestAboutBearing),
+        dynamicTest("ignoresBearingUnlessDeclared", this::ignoresBearing),
         dynamicTest("hasAUsableDefaultThreshold", this::hasUsableThreshold),
-        dynamicTest("detectsWithinTheRadiusAlone", this::detectsWithinTheRadius));
+        dynamicTest("detectsOnlyWithinTheRadius", this::detectsWithinTheRadius));
   }
 
   private void givesANumber() {
@@ -78,7 +78,7 @@ public final class DetectionModelContract {
     }
   }
 
-  private void isHonestAboutBearing() {
+  private void ignoresBearing() {
     DetectionModel model = maker.get();
     if (model.dependsOnBearing()) {
       return;

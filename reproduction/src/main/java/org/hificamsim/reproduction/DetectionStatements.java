@@ -29,8 +29,8 @@ final class DetectionStatements {
     return switch (id) {
       case "camsim-underestimates" -> underestimates();
       case "same-order" -> sameOrder();
-      case "scenario-3-least" -> scenarioThree();
-      case "cluster-most" -> cluster();
+      case "scenario-3-least" -> scenarioThreeLeast();
+      case "cluster-most" -> clusterMost();
       default -> throw new IllegalArgumentException("statement '" + id + "' has no checks");
     };
   }
@@ -74,7 +74,7 @@ final class DetectionStatements {
             cases.find(scenario, detection, worse).figures(Metric.PERFORMANCE)));
   }
 
-  private List<Margin> scenarioThree() {
+  private List<Margin> scenarioThreeLeast() {
     String third = Layout.CLUSTER.random();
     return Layout.SCENARIOS.stream()
         .filter(scenario -> !scenario.equals(third))
@@ -84,7 +84,7 @@ final class DetectionStatements {
         .toList();
   }
 
-  private List<Margin> cluster() {
+  private List<Margin> clusterMost() {
     List<Margin> margins = new ArrayList<>();
     for (String policy : PublishedCell.POLICIES) {
       for (Layout layout : List.of(Layout.LATTICE, Layout.RING)) {

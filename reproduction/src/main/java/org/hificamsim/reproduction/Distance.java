@@ -11,13 +11,13 @@ import org.hificamsim.reproduction.Table81.Cell;
  * The distance of the nine cells of a detection model from the published ones, under our defaults
  * or under another reading of the thesis.
  *
- * @param reading empty for our defaults
+ * @param reading the other reading; empty for our defaults
  * @param hifi whether these are the cells of the hi-fi model, not CamSim's
- * @param mean of the distances
- * @param within the number of cells at most 0.05 away
+ * @param mean mean of the nine distances
+ * @param nearCells number of cells at most 0.05 away
  */
 public record Distance(
-    Optional<Reading> reading, boolean hifi, double mean, long within, int steps, int seeds) {
+    Optional<Reading> reading, boolean hifi, double mean, long nearCells, int steps, int seeds) {
   /** Our defaults first, then each other reading; the hi-fi column before CamSim's. */
   static List<Distance> of(List<Cell> cells, int steps, int seeds) {
     List<Distance> distances = new ArrayList<>();
@@ -28,10 +28,11 @@ public record Distance(
         double[] column =
             cells.stream()
                 .filter(cell -> cell.published().hifi() == hifi)
-                .mapToDouble(cell -> Math.abs(cell.of(reading) - cell.published().proportion()))
+                .mapToDouble(
+                    cell -> Math.abs(cell.proportion(reading) - cell.published().proportion()))
                 .toArray();
-        long within = Arrays.stream(column).filter(Verdict::isNear).count();
-        distances.add(new Distance(reading, hifi, StatUtils.mean(column), within, steps, seeds));
+        long nearCells = Arrays.stream(column).filter(Verdict::isNear).count();
+        distances.add(new Distance(reading, hifi, StatUtils.mean(column), nearCells, steps, seeds));
       }
     }
     return distances;

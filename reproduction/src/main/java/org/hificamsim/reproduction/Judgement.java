@@ -9,38 +9,38 @@ import java.util.stream.Stream;
  * The verdicts on the cells of Table 8.1 and on the statements of the text.
  *
  * @param distances from our cells to the published ones, by reading
- * @param adapting the optimum's gain over a fixed zoom, without which the others mean little
+ * @param adapting the optimum's gain over a fixed zoom, by which the other results have to be read
  */
 public record Judgement(
     List<Table81.Cell> cells,
     List<Distance> distances,
-    List<Judged> statements,
-    List<Adapting> adapting) {
+    List<JudgedClaim> statements,
+    List<AdaptingValue> adapting) {
   /** The cells, then the statements. */
-  Stream<Judged> all() {
+  Stream<JudgedClaim> all() {
     return Stream.concat(cells.stream().map(Table81.Cell::judged), statements.stream());
   }
 
-  /** How many cells and statements have a verdict. */
+  /** Returns how many cells and statements have this verdict, in words. */
   public String score(Verdict verdict) {
     return score(judged -> true, verdict);
   }
 
-  /** How many of the cells and statements of a role are reproduced. */
+  /** Returns how many cells and statements of a role are reproduced, in words. */
   public String score(FitRole role) {
     return score(judged -> judged.role() == role, Verdict.REPRODUCED) + " reproduced";
   }
 
-  private String score(Predicate<Judged> filter, Verdict verdict) {
+  private String score(Predicate<JudgedClaim> filter, Verdict verdict) {
     return share("cell", filter, verdict) + ", " + share("statement", filter, verdict);
   }
 
-  private String share(String kind, Predicate<Judged> filter, Verdict verdict) {
+  private String share(String kind, Predicate<JudgedClaim> filter, Verdict verdict) {
     List<Verdict> verdicts =
         all()
             .filter(judged -> judged.kind().equals(kind))
             .filter(filter)
-            .map(Judged::verdict)
+            .map(JudgedClaim::verdict)
             .toList();
     return "%s of %s %ss"
         .formatted(Collections.frequency(verdicts, verdict), verdicts.size(), kind);

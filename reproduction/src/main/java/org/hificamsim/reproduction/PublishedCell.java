@@ -12,7 +12,7 @@ import org.hificamsim.core.file.Io;
  * Aston University, December 2019), from the resource {@code published.json}.
  *
  * @param hifi whether the detection model is the high-fidelity one, not CamSim's
- * @param proportion of the greedy approach's performance
+ * @param proportion share of the greedy approach's performance
  */
 public record PublishedCell(Layout layout, String policy, boolean hifi, double proportion) {
   /**

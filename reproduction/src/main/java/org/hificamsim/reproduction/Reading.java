@@ -1,6 +1,6 @@
 package org.hificamsim.reproduction;
 
-/** Readings of the thesis, where it is open, that differ from our defaults. */
+/** Readings of open points of the thesis that differ from our defaults. */
 public enum Reading {
   ONE_HOP_GREEDY(
       "over_one_hop",

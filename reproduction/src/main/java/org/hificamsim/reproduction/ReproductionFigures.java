@@ -120,7 +120,8 @@ public final class ReproductionFigures {
       List<CaseResult> group = hifi(number, figure.policies);
       KMinPanel panel = KMinPanel.of(title(number), group, colors::of, most);
       if (number == 4 && !Double.isNaN(figure.published)) {
-        panel.horizontal(figure.published * StatUtils.mean(last(group).meanKMin()), PUBLISHED);
+        panel.horizontal(
+            figure.published * StatUtils.mean(lastResult(group).meanKMin()), PUBLISHED);
       }
       panels.add(panel);
     }
@@ -143,7 +144,7 @@ public final class ReproductionFigures {
         HEIGHT);
   }
 
-  private static CaseResult last(List<CaseResult> group) {
+  private static CaseResult lastResult(List<CaseResult> group) {
     return group.get(group.size() - 1);
   }
 
@@ -162,15 +163,15 @@ public final class ReproductionFigures {
   private Figure figure81() {
     List<XYChart> panels = new ArrayList<>();
     for (int number = 1; number <= Layout.SCENARIOS.size(); number++) {
-      double most = KMinPanel.ceilingOf(both(number, PublishedCell.POLICIES));
+      double most = KMinPanel.ceilingOf(bothModels(number, PublishedCell.POLICIES));
       for (String policy : PublishedCell.POLICIES) {
-        panels.add(models(number, policy, most));
+        panels.add(modelsPanel(number, policy, most));
       }
     }
     return new Figure(
         "Figure 8.1: k_min under the two detection models",
         "By scenario (rows) and policy (columns); x: time (steps), y: k_min (cameras). "
-            + KMinPanel.note(both(1, PublishedCell.POLICIES)),
+            + KMinPanel.note(bothModels(1, PublishedCell.POLICIES)),
         List.of(
             new LegendEntry(CAMSIM, MODELS.get(CAMSIM), LegendEntry.Mark.LINE),
             new LegendEntry(HIFI, MODELS.get(HIFI), LegendEntry.Mark.LINE)),
@@ -180,16 +181,16 @@ public final class ReproductionFigures {
         SMALL_HEIGHT);
   }
 
-  private XYChart models(int number, String policy, double most) {
+  private XYChart modelsPanel(int number, String policy, double most) {
     return KMinPanel.of(
             number + ", " + policy,
-            both(number, List.of(policy)),
+            bothModels(number, List.of(policy)),
             result -> LineLook.solid(MODELS.get(result.plan().detection().name())),
             most)
         .untitled(); // the note of the figure names the axes
   }
 
-  private List<CaseResult> both(int number, List<String> policies) {
+  private List<CaseResult> bothModels(int number, List<String> policies) {
     List<CaseResult> results = new ArrayList<>();
     for (String policy : policies) {
       results.add(cases.find(scenario(number), CAMSIM, policy));
@@ -215,8 +216,11 @@ public final class ReproductionFigures {
     private static final List<Layout> LAYOUTS = List.of(Layout.values());
     private static final int WIDTH = 400;
     private static final int HEIGHT = 290;
-    private static final double APART = 0.16;
-    private static final double BESIDE = 0.08;
+
+    /** The distance of a model's dots from the centre of their layout, in layouts. */
+    private static final double MODEL_OFFSET = 0.16;
+
+    private static final double DOT_OFFSET = 0.08;
 
     private TableFigure() {}
 
@@ -252,12 +256,15 @@ public final class ReproductionFigures {
 
     private static void add(XyPanel panel, Table81.Cell cell, PublishedCell published) {
       Color color = color(published.hifi());
-      double x = LAYOUTS.indexOf(published.layout()) + 1 + (published.hifi() ? APART : -APART);
-      panel.interval(x - BESIDE, cell.ours().low(), cell.ours().high(), color);
-      panel.dots(point(x - BESIDE, cell.ours().mean()), color);
-      panel.diamonds(point(x + BESIDE, published.proportion()), pale(published.hifi()));
-      if (!Double.isNaN(cell.of(Reading.EQ_62))) {
-        panel.dots(point(x - 2 * BESIDE, cell.of(Reading.EQ_62)), Palette.GREY);
+      double x =
+          LAYOUTS.indexOf(published.layout())
+              + 1
+              + (published.hifi() ? MODEL_OFFSET : -MODEL_OFFSET);
+      panel.interval(x - DOT_OFFSET, cell.ours().low(), cell.ours().high(), color);
+      panel.dots(point(x - DOT_OFFSET, cell.ours().mean()), color);
+      panel.diamonds(point(x + DOT_OFFSET, published.proportion()), pale(published.hifi()));
+      if (!Double.isNaN(cell.proportion(Reading.EQ_62))) {
+        panel.dots(point(x - 2 * DOT_OFFSET, cell.proportion(Reading.EQ_62)), Palette.GREY);
       }
     }
 

@@ -16,17 +16,17 @@ public final class ReproductionFiles {
           + " least in part); `held out`: they were not";
 
   /** A row per scenario and model. */
-  public static final Table<Adapting> ADAPTING =
-      Table.<Adapting>of("adapting.csv")
-          .texts("scenario", "its name", Adapting::scenario)
-          .texts("detection", "the detection's name", Adapting::detection)
+  public static final Table<AdaptingValue> ADAPTING =
+      Table.<AdaptingValue>of("adapting.csv")
+          .texts("scenario", "its name", AdaptingValue::scenario)
+          .texts("detection", "the detection's name", AdaptingValue::detection)
           .longs(
               "optimum",
               "cameras x steps",
               "performance of `optimal`, summed over the seeds",
-              Adapting::optimum)
-          .longs("fixed", "cameras x steps", "the same of `fixed:2`", Adapting::fixed)
-          .doubles("value_of_adapting", "ratio", "the one over the other", Adapting::value)
+              AdaptingValue::optimum)
+          .longs("fixed", "cameras x steps", "the same of `fixed:2`", AdaptingValue::fixed)
+          .doubles("value_of_adapting", "ratio", "the one over the other", AdaptingValue::value)
           .texts(
               "same_every_step",
               "`true` or `false`: the same k_min at each step",
@@ -79,38 +79,38 @@ public final class ReproductionFiles {
               distance -> distance.hifi() ? "hi-fi" : "CamSim")
           .doubles(
               "distance", "share", "the mean distance from the published cells", Distance::mean)
-          .longs("within", "cells", "how many are at most 0.05 away", Distance::within)
+          .longs("within", "cells", "how many are at most 0.05 away", Distance::nearCells)
           .ints("steps", "steps", "of each run", Distance::steps)
           .ints("seeds", "", "how many", Distance::seeds);
 
   /** A row per cell and per statement of the text. */
-  public static final Table<Judged> VERDICTS =
-      Table.<Judged>of("verdicts.csv")
-          .texts("kind", "`cell` or `statement`", Judged::kind)
-          .texts("id", "its name", Judged::id)
+  public static final Table<JudgedClaim> VERDICTS =
+      Table.<JudgedClaim>of("verdicts.csv")
+          .texts("kind", "`cell` or `statement`", JudgedClaim::kind)
+          .texts("id", "its name", JudgedClaim::id)
           .texts(
               "source",
               "the thesis's section, table or figure; of `tradeoff` the papers",
-              Judged::source)
-          .texts("claim", "what it says", Judged::text)
-          .doubles("published", "share", "cells only", Judged::published)
+              JudgedClaim::source)
+          .texts("claim", "what it says", JudgedClaim::text)
+          .doubles("published", "share", "cells only", JudgedClaim::published)
           .estimates(
               "value",
               "",
               "",
               "a cell's proportion; a statement's weakest margin, in that margin's unit",
-              Judged::value)
-          .ints("checks", "", "how many margins there are", Judged::checks)
-          .ints("checks_held", "", "how many of them are above 0", Judged::held)
+              JudgedClaim::value)
+          .ints("checks", "", "how many margins there are", JudgedClaim::checks)
+          .ints("checks_held", "", "how many of them are above 0", JudgedClaim::held)
           .texts("verdict", "as above", judged -> judged.verdict().label())
-          .texts("why", "the reason for it", Judged::reason)
+          .texts("why", "the reason for it", JudgedClaim::reason)
           .texts("role", ROLE, judged -> judged.role().label());
 
   private ReproductionFiles() {}
 
   private static List<Column<Table81.Cell>> reading(Reading reading) {
     return Table.<Table81.Cell>of("")
-        .doubles(reading.label(), "share", reading.meaning(), cell -> cell.of(reading))
+        .doubles(reading.label(), "share", reading.meaning(), cell -> cell.proportion(reading))
         .columns();
   }
 
@@ -127,8 +127,8 @@ public final class ReproductionFiles {
         new Judgement(
             cells,
             Distance.of(cells, plan.steps(), plan.repeats()),
-            new Statements(cases).judged(),
-            Adapting.of(cases));
+            new Statements(cases).judge(),
+            AdaptingValue.of(cases));
     ADAPTING.write(folder, judgement.adapting().stream());
     CELLS.write(folder, judgement.cells().stream());
     READINGS.write(folder, judgement.distances().stream());

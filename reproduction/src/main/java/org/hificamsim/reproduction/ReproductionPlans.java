@@ -18,10 +18,10 @@ import org.hificamsim.runs.Settings;
 /**
  * The plans of all runs that Table 8.1, the figures and the statements need.
  *
- * @param scenarios of Table 7.1 and {@link #ORIGIN}, by name
- * @param asked the steps, seeds and repeats
+ * @param scenarios the scenarios of Table 7.1 and {@link #ORIGIN}, by name
+ * @param settings the settings of all runs, such as steps, seeds and repeats
  */
-public record ReproductionPlans(Map<String, Scenario> scenarios, Settings asked) {
+public record ReproductionPlans(Map<String, Scenario> scenarios, Settings settings) {
   public static final String HIFI = "hifi:orb-lin";
   public static final String CAMSIM = "camsim-range";
 
@@ -73,7 +73,7 @@ public record ReproductionPlans(Map<String, Scenario> scenarios, Settings asked)
     return cases().stream()
         .map(
             combination ->
-                asked.plan(
+                settings.plan(
                     scenarios.get(combination.scenario()),
                     detections.get(combination.detection()),
                     combination.policy()))
@@ -88,7 +88,7 @@ public record ReproductionPlans(Map<String, Scenario> scenarios, Settings asked)
   private static Set<Case> cases() {
     Set<Case> cases = new LinkedHashSet<>();
     for (String scenario : Layout.SCENARIOS) {
-      table(cases, scenario, List.of(CAMSIM, HIFI));
+      addTable(cases, scenario, List.of(CAMSIM, HIFI));
       add(cases, scenario, CAMSIM_45, PublishedCell.POLICIES);
       add(cases, scenario, HIFI, List.of(QB_SARSA, SARSA + STATELESS, QB_SARSA + STATELESS));
       add(cases, scenario, HIFI, List.of(epsilon(EPSILON_GREEDY, 0.01)));
@@ -96,19 +96,19 @@ public record ReproductionPlans(Map<String, Scenario> scenarios, Settings asked)
       add(cases, scenario, HIFI, List.of(EXPLORE_ANY));
       add(cases, scenario, CAMSIM, List.of(EXPLORE_ANY));
     }
-    table(cases, ORIGIN, List.of(CAMSIM, HIFI));
+    addTable(cases, ORIGIN, List.of(CAMSIM, HIFI));
     add(cases, Layout.LATTICE.random(), HIFI, List.of("random"));
     add(cases, Layout.LATTICE.scripted(), HIFI, List.of(epsilon(SARSA, 0.2), epsilon(SARSA, 0.3)));
     add(cases, Layout.LATTICE.scripted(), HIFI, List.of(alpha(0.2), alpha(0.3), STATE_COUNT));
     for (String scenario : Layout.SCENARIOS) {
-      table(cases, scenario, List.of(STANDARD));
+      addTable(cases, scenario, List.of(STANDARD));
       add(cases, scenario, CAMSIM, List.of(FIXED, ONE_HOP, REWARD_SIGN, REWARD_LITERAL));
       add(cases, scenario, HIFI, List.of(FIXED, ONE_HOP, REWARD_SIGN, REWARD_LITERAL));
     }
     return cases;
   }
 
-  private static void table(Set<Case> cases, String scenario, List<String> detections) {
+  private static void addTable(Set<Case> cases, String scenario, List<String> detections) {
     for (String detection : detections) {
       add(cases, scenario, detection, List.of(OPTIMAL));
       add(cases, scenario, detection, PublishedCell.POLICIES);

@@ -11,10 +11,10 @@ import org.hificamsim.runs.Metric;
  * the checks of runs that decide whether it is reproduced.
  *
  * @param source section, table or figure
- * @param remark about the reading; may be empty. With a published number it has a {@code %.2f} for
- *     our number
+ * @param remark remark about the reading; may be empty. With a published number it has a {@code
+ *     %.2f} for our number
  * @param role held out, unless the hi-fi column of Table 8.1 implies the statement at least in part
- * @param metric that is compared; by default the mean of k_min
+ * @param metric metric that is compared; by default the mean of k_min
  * @param published a proportion of the optimum that the text states, or null
  * @param checks empty if {@link DetectionStatements} or {@link StudyStatements} has them
  * @param alternative another reading, or null

@@ -22,7 +22,7 @@ final class Statements {
 
   private static final String EACH_SCENARIO = "*/";
 
-  /** A comparison, such as the difference between two policies in a scenario, to be above 0. */
+  /** A figure that has to be above 0, such as the difference between two policies in a scenario. */
   record Margin(String where, Estimate value) {}
 
   private final Cases cases;
@@ -34,16 +34,16 @@ final class Statements {
   }
 
   /** All statements, in the order of the text. */
-  List<Judged> judged() {
-    return Statement.read("statements.json").stream().map(this::judged).toList();
+  List<JudgedClaim> judge() {
+    return Statement.read("statements.json").stream().map(this::judge).toList();
   }
 
-  private Judged judged(Statement statement) {
+  private JudgedClaim judge(Statement statement) {
     List<Margin> margins =
         statement.checks().isEmpty()
             ? detections.margins(statement.id())
             : margins(statement, statement.checks());
-    return judged(
+    return judge(
         statement,
         margins,
         statement.published() == null ? statement.remark() : remarkWithOurs(statement),
@@ -51,8 +51,8 @@ final class Statements {
   }
 
   /** Judges a statement by its margins; the remarks that are not empty follow the reason. */
-  static Judged judged(Statement statement, List<Margin> margins, String... remarks) {
-    return new Judged(
+  static JudgedClaim judge(Statement statement, List<Margin> margins, String... remarks) {
+    return new JudgedClaim(
         "statement",
         statement.id(),
         statement.source(),
@@ -128,7 +128,7 @@ final class Statements {
                     check.more().replace(EACH_SCENARIO, scenario + "/"),
                     check.less().replace(EACH_SCENARIO, scenario + "/"),
                     false))
-        .map(ofScenario -> difference(ofScenario, statement.metric()));
+        .map(scenarioCheck -> difference(scenarioCheck, statement.metric()));
   }
 
   private Margin difference(Check check, Metric metric) {

@@ -14,13 +14,13 @@ import org.hificamsim.reproduction.Statements.Margin;
 public final class StudyStatements {
   private StudyStatements() {}
 
-  /** The statements for which a study has the networks. */
-  public static List<Judged> judged(List<StudyGroup> groups) {
+  /** Judges the statements for which a study has the networks. */
+  public static List<JudgedClaim> judge(List<StudyGroup> groups) {
     return Statement.read("study-statements.json").stream()
         .filter(statement -> !margins(statement, groups).isEmpty())
         .map(
             statement ->
-                Statements.judged(statement, margins(statement, groups), statement.remark()))
+                Statements.judge(statement, margins(statement, groups), statement.remark()))
         .toList();
   }
 

@@ -41,12 +41,12 @@ public final class Table81 {
   public record Cell(
       PublishedCell published, Estimate ours, Verdict verdict, Map<Reading, Double> readings) {
     /** The proportion under a reading; NaN if the reading does not change it. */
-    public double of(Reading reading) {
+    public double proportion(Reading reading) {
       return readings.get(reading);
     }
 
     /** The proportion under a reading, or under our defaults if the reading does not change it. */
-    double of(Optional<Reading> reading) {
+    double proportion(Optional<Reading> reading) {
       return reading.map(readings::get).filter(value -> !value.isNaN()).orElse(ours.mean());
     }
 
@@ -60,8 +60,8 @@ public final class Table81 {
       return published.hifi() ? FitRole.FITTED : FitRole.HELD_OUT;
     }
 
-    Judged judged() {
-      return new Judged(
+    JudgedClaim judged() {
+      return new JudgedClaim(
           "cell",
           String.join(
               "/",
@@ -93,11 +93,11 @@ public final class Table81 {
       String formula =
           published.policy().equals(ZOOM_OUT)
               ? "CamSim's formula, Eq 6.2, depends on the zoom alone and can give 0 or 1 here"
-              : Texts.format("CamSim's formula, Eq 6.2, gives %.2f", of(Reading.EQ_62));
+              : Texts.format("CamSim's formula, Eq 6.2, gives %.2f", proportion(Reading.EQ_62));
       return Texts.format(
           "; %s; its threshold is not published; camsim-range at 0.45 over the hi-fi"
               + " optimum is %.2f",
-          formula, of(Reading.HIFI_OPTIMUM_AT_45));
+          formula, proportion(Reading.HIFI_OPTIMUM_AT_45));
     }
   }
 

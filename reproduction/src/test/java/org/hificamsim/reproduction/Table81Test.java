@@ -55,13 +55,13 @@ class Table81Test {
   void cellIsRatioOfSumsOverScenariosAndSeeds() {
     for (Table81.Cell cell : cells()) {
       assertEquals((10 + 20 + 30 + 60) / 280.0, cell.ours().mean(), 1e-12);
-      assertTrue(cell.ours().low() < 40.0 / 140); // two seeds say next to nothing
+      assertTrue(cell.ours().low() < 40.0 / 140, "two seeds give a wide interval");
       assertTrue(cell.ours().high() > 80.0 / 140);
     }
   }
 
   @Test
-  void readingsChangeOnlyTheirCells() {
+  void readingsChangeOnlyTheCellsTheyConcern() {
     for (Table81.Cell cell : cells()) {
       PublishedCell published = cell.published();
       assertEquals(!published.hifi(), has(cell, Reading.HIFI_OPTIMUM));
@@ -70,19 +70,22 @@ class Table81Test {
       assertEquals(published.policy().equals("epsilon-greedy"), has(cell, Reading.EXPLORE_ANY));
       assertEquals(published.policy().equals("sarsa"), has(cell, Reading.LITERAL_REWARD));
       assertEquals(published.layout() == Layout.CLUSTER, has(cell, Reading.SCRIPT_AT_ORIGIN));
-      assertEquals(1, cell.of(Reading.ONE_HOP_GREEDY), 1e-12); // here all policies are as good
+      assertEquals(
+          1, cell.proportion(Reading.ONE_HOP_GREEDY), 1e-12); // here all policies are as good
     }
   }
 
   private static boolean has(Table81.Cell cell, Reading reading) {
-    return !Double.isNaN(cell.of(reading));
+    return !Double.isNaN(cell.proportion(reading));
   }
 
   @Test
   void distanceIsMeanOverNineCells() {
     List<Table81.Cell> cells = cells();
     Map<String, Distance> hifi = new LinkedHashMap<>();
-    Distance.of(cells, 10, 2).stream().filter(Distance::hifi).forEach(d -> hifi.put(d.label(), d));
+    Distance.of(cells, 10, 2).stream()
+        .filter(Distance::hifi)
+        .forEach(distance -> hifi.put(distance.label(), distance));
     double ours = cells.get(0).ours().mean(); // the same in all cells here
     double published =
         cells.stream()
@@ -94,7 +97,7 @@ class Table81Test {
     assertEquals(published, hifi.get("eq_6.2").mean(), 1e-12); // no hi-fi cell is read otherwise
     double oneHop = 1 - (.50 + .92 + .60 + .61 + .94 + .73 + .44 + .93 + .70) / 9;
     assertEquals(oneHop, hifi.get("over_one_hop").mean(), 1e-12);
-    assertEquals(1, hifi.get("default").within()); // the cluster's zoom-out, 0.44
+    assertEquals(1, hifi.get("default").nearCells()); // the cluster's zoom-out, 0.44
   }
 
   @Test

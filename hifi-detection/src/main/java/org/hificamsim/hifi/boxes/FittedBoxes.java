@@ -5,8 +5,8 @@ import org.hificamsim.hifi.FittedOn.Span;
 /**
  * The labelled boxes that a model was fitted on.
  *
- * @param height of the boxes, pixels
- * @param hidden shares of the boxes
+ * @param height heights of the boxes, pixels
+ * @param hidden hidden shares of the boxes
  * @param recordings the number of recordings
  * @param people the number of different people
  */

@@ -9,7 +9,7 @@ import org.hificamsim.core.Texts;
  * <pre>floor + (ceiling - floor) / (1 + exp(-(intercept + height ln(px / 100) - hidden h)))</pre>
  *
  * <p>It never falls with the height and never rises with the hidden share. Boxes of another shape
- * than the usual one are found more or less surely if {@link WidthEffect} says so.
+ * than the usual one are found with another probability if there is a {@link WidthEffect}.
  *
  * @param intercept the log odds at 100 pixels and nothing hidden, between floor and ceiling
  * @param height the growth of the log odds per unit of the height's logarithm, 0 or more; the width
@@ -17,7 +17,7 @@ import org.hificamsim.core.Texts;
  * @param hidden the loss of log odds from nothing hidden to everything hidden, 0 or more
  * @param floor the probability for a box of height 0, in [0, 1)
  * @param ceiling the probability in the limit of large boxes, in (floor, 1]
- * @param width what the width adds, by no more than the height does
+ * @param width the effect of the width, whose slope is at most {@code height}
  */
 public record FoundCurve(
     double intercept,

@@ -3,8 +3,8 @@ package org.hificamsim.hifi.boxes;
 import org.hificamsim.core.Texts;
 
 /**
- * How the probability that a person is found depends on the width of the box: somebody who walks
- * across the picture fills a wider box than somebody who walks along the line of sight.
+ * The effect of a box's width on the probability that a person is found: somebody who walks across
+ * the picture fills a wider box than somebody who walks along the line of sight.
  *
  * @param slope the growth of the log odds per unit of the logarithm of width over height, 0 or more
  * @param usualShape the width over the height at which nothing is added, above 0; targets of a
@@ -19,7 +19,7 @@ public record WidthEffect(double slope, double usualShape) {
     return slope > 0;
   }
 
-  /** Returns what the shape of a box adds to the log odds. */
+  /** Returns the log odds that the shape of a box adds. */
   double logOdds(double pixels, double widthPixels) {
     return slope == 0 ? 0 : slope * StrictMath.log(widthPixels / pixels / usualShape);
   }

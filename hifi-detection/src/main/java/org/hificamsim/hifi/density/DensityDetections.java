@@ -138,8 +138,8 @@ public final class DensityDetections {
   }
 
   /** Returns the name of a model; the default choice is left out. */
-  private static String qualified(String name, String key, Enum<?> chosen, Enum<?> usual) {
-    return chosen == usual ? name : name + ":" + key + "=" + Spelling.of(chosen);
+  private static String qualified(String name, String key, Enum<?> chosen, Enum<?> defaultChoice) {
+    return chosen == defaultChoice ? name : name + ":" + key + "=" + Spelling.of(chosen);
   }
 
   /** Returns the optics for scenarios that name no lens. */
@@ -148,9 +148,9 @@ public final class DensityDetections {
   }
 
   /**
-   * Detects a target if the picture has the pixels per metre that a standard demands at its place,
-   * whatever its size. The confidence is the share of the demanded density, at most 1; the
-   * threshold is 1.
+   * Detects a target if the picture has the pixels per metre that a standard demands at the
+   * target's distance, whatever its size. The confidence is the share of the demanded density, at
+   * most 1; the threshold is 1.
    *
    * @param demandedDensity pixels per metre, above 0
    */

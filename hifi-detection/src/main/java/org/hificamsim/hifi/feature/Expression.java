@@ -25,8 +25,8 @@ public final class Expression {
   }
 
   /** Returns the value in IEEE arithmetic (NaN for 0/0). All three variables are in metres. */
-  public double at(double size, double distance, double focalLength) {
-    return root.at(size, distance, focalLength);
+  public double value(double size, double distance, double focalLength) {
+    return root.value(size, distance, focalLength);
   }
 
   @Override
@@ -46,8 +46,8 @@ public final class Expression {
     return text;
   }
 
-  /** A part of a formula that has a value. */
+  /** A part of a formula, which has a value. */
   interface Term {
-    double at(double size, double distance, double focalLength);
+    double value(double size, double distance, double focalLength);
   }
 }

@@ -54,10 +54,10 @@ final class ExpressionParser {
 
   private static Term operation(Term first, char operator, Term second) {
     return switch (operator) {
-      case '+' -> (q, d, z) -> first.at(q, d, z) + second.at(q, d, z);
-      case '-' -> (q, d, z) -> first.at(q, d, z) - second.at(q, d, z);
-      case '*' -> (q, d, z) -> first.at(q, d, z) * second.at(q, d, z);
-      default -> (q, d, z) -> first.at(q, d, z) / second.at(q, d, z);
+      case '+' -> (q, d, z) -> first.value(q, d, z) + second.value(q, d, z);
+      case '-' -> (q, d, z) -> first.value(q, d, z) - second.value(q, d, z);
+      case '*' -> (q, d, z) -> first.value(q, d, z) * second.value(q, d, z);
+      default -> (q, d, z) -> first.value(q, d, z) / second.value(q, d, z);
     };
   }
 
@@ -68,7 +68,7 @@ final class ExpressionParser {
     Term term;
     if (accept('-')) {
       Term positive = signed();
-      term = (q, d, z) -> -positive.at(q, d, z);
+      term = (q, d, z) -> -positive.value(q, d, z);
     } else {
       term = atom();
     }

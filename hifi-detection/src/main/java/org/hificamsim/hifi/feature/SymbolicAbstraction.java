@@ -11,6 +11,6 @@ public record SymbolicAbstraction(@JsonProperty("formula") Expression expression
     implements LogPipAbstraction {
   @Override
   public double negativeLogPip(double size, double distance, double focalLength) {
-    return expression.at(size, distance, focalLength);
+    return expression.value(size, distance, focalLength);
   }
 }

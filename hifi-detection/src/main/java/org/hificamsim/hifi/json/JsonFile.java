@@ -46,14 +46,14 @@ public final class JsonFile {
       if (json.next() == null) {
         throw new Place(file, 1, 1).error("the file is empty, expected a JSON object");
       }
-      return new JsonFile(json).whole();
+      return new JsonFile(json).readObject();
     }
   }
 
   /**
    * Reads a file as one object.
    *
-   * @param expected what the file has to be, for error messages
+   * @param expected the expected kind of file, for error messages
    * @param maxBytes the largest size that is read
    * @throws InputException when the file cannot be read, or, with line and column, when it is not
    *     one JSON object
@@ -73,7 +73,7 @@ public final class JsonFile {
     }
   }
 
-  private JsonObject whole() {
+  private JsonObject readObject() {
     Value value = value();
     if (!(value.content() instanceof JsonObject object)) {
       throw value.place().error("the file holds " + value.shown() + ", expected an object in {}");

@@ -18,7 +18,7 @@ import org.hificamsim.hifi.json.JsonFile.Value;
  *
  * <p>Each getter declares one property with its type and range. It throws an {@link InputException}
  * with line and column if the property is missing, has another type or is out of range. {@link
- * #whole} rejects properties that no getter has declared.
+ * #readWhole} rejects properties that no getter has declared.
  */
 public final class JsonObject {
   record Property(Place place, Value value) {}
@@ -71,9 +71,9 @@ public final class JsonObject {
     return take(key, String.class, choices::contains, "one of " + String.join(", ", choices));
   }
 
-  /** Returns what {@code reader} makes of an object, whose properties it must all declare. */
+  /** Reads an object, all of whose properties {@code reader} must declare. */
   public <T> T object(String key, Function<JsonObject, T> reader) {
-    return take(key, JsonObject.class, object -> true, "an object").whole(reader);
+    return take(key, JsonObject.class, object -> true, "an object").readWhole(reader);
   }
 
   /** Returns a list of objects. */
@@ -141,10 +141,8 @@ public final class JsonObject {
         .error(JsonFile.shortened(key) + " is " + value.shown() + ", " + expectation);
   }
 
-  /**
-   * Returns what {@code reader} makes of this object; rejects properties that it did not declare.
-   */
-  public <T> T whole(Function<JsonObject, T> reader) {
+  /** Reads this object; rejects properties that {@code reader} did not declare. */
+  public <T> T readWhole(Function<JsonObject, T> reader) {
     T result = reader.apply(this);
     properties.forEach(this::checkDeclared);
     return result;

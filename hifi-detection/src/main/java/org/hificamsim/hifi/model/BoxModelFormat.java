@@ -22,7 +22,7 @@ final class BoxModelFormat {
     return new BoxDetection(
         name,
         json.object("found", BoxModelFormat::curve),
-        ModelFormat.opticsOrUsual(json),
+        ModelFormat.opticsOrDefault(json),
         json.has("falseAlarms") ? json.number("falseAlarms", 0, MAX_FALSE_ALARMS) : 0,
         json.has("fitted")
             ? Optional.of(json.object("fitted", BoxModelFormat::fitted))
@@ -66,7 +66,7 @@ final class BoxModelFormat {
         json.has("width") ? json.object("width", width -> width(width, height)) : WidthEffect.NONE);
   }
 
-  /** A steeper slope would make a person less sure to be found the taller they are. */
+  /** The slope is limited: a steeper one would make taller people less likely to be found. */
   private static WidthEffect width(JsonObject json, double height) {
     return new WidthEffect(
         json.number("slope", 0, height), json.number("usualShape", MIN_SHAPE, MAX_SHAPE));

@@ -26,7 +26,8 @@ public final class ModelFiles {
   public static final int MAX_BYTES = 16 << 20;
 
   /**
-   * Is here and not in {@link ModelFormat}: published models are read without it, in half the time.
+   * Kept out of {@link ModelFormat}, so that published models are read without it, in half the
+   * time.
    */
   static final ObjectMapper MAPPER = new ObjectMapper();
 
@@ -42,7 +43,7 @@ public final class ModelFiles {
    * @throws InputException in one line with file, line and column, when it is not a valid model
    */
   public static FittedDetection read(Path file) {
-    return JsonFile.read(file, "a model in JSON", MAX_BYTES).whole(ModelFormat::read);
+    return JsonFile.read(file, "a model in JSON", MAX_BYTES).readWhole(ModelFormat::read);
   }
 
   /**
@@ -68,7 +69,7 @@ public final class ModelFiles {
    * @param file the file's name, for error messages
    */
   public static FittedDetection parse(String file, byte[] bytes) {
-    return JsonFile.parse(file, bytes).whole(ModelFormat::read);
+    return JsonFile.parse(file, bytes).readWhole(ModelFormat::read);
   }
 
   /**
@@ -100,7 +101,7 @@ public final class ModelFiles {
     return printer;
   }
 
-  /** Puts each row of a table on a line of its own, and its cells side by side. */
+  /** Writes each row of a table on its own line. */
   private static final class RowIndenter extends DefaultPrettyPrinter.NopIndenter {
     private static final long serialVersionUID = 1L;
 

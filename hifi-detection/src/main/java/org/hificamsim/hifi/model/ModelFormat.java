@@ -50,7 +50,7 @@ final class ModelFormat {
     refuseCovariates(json);
     FeatureAbstraction f = json.object("f", FeatureFormats::read);
     Fitted g = json.object("g", detector -> fitted(detector, version));
-    Optics optics = opticsOrUsual(json);
+    Optics optics = opticsOrDefault(json);
     double threshold =
         json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g.model());
     checkUnits(json);
@@ -154,7 +154,7 @@ final class ModelFormat {
                 scatter.number("growth", 0, MAX_COEFFICIENT)));
   }
 
-  static Optics opticsOrUsual(JsonObject json) {
+  static Optics opticsOrDefault(JsonObject json) {
     return json.has("optics") ? optics(json) : PublishedModels.published().optics();
   }
 

@@ -79,7 +79,7 @@ public record PublishedModels(
 
     private static PublishedModels read() {
       return JsonFile.parse(RESOURCE, Io.resource(PublishedModels.class, RESOURCE))
-          .whole(PublishedModels::read);
+          .readWhole(PublishedModels::read);
     }
   }
 
@@ -91,8 +91,8 @@ public record PublishedModels(
         json.object("reference", PublishedModels::reference),
         json.object("fitted", PublishedModels::fitted),
         json.object("literal", PublishedModels::literal),
-        json.objects("features").stream().map(f -> f.whole(PublishedModels::feature)).toList(),
-        json.objects("lines").stream().map(g -> g.whole(PublishedModels::line)).toList());
+        json.objects("features").stream().map(f -> f.readWhole(PublishedModels::feature)).toList(),
+        json.objects("lines").stream().map(g -> g.readWhole(PublishedModels::line)).toList());
   }
 
   private static Reference reference(JsonObject json) {

@@ -12,7 +12,7 @@ import org.hificamsim.core.detection.ZoomLevel;
  */
 public record Optics(double sensorWidth, double longestFocalLength) {
   /** The width of a picture if the scenario does not give one: full high definition. */
-  private static final int USUAL_PIXELS = 1920;
+  private static final int DEFAULT_PIXELS = 1920;
 
   /** Returns the angle of view in radians, in (0, pi), at a focal length above 0 (Eq 3.1). */
   public double angleOfView(double focalLength) {
@@ -20,7 +20,8 @@ public record Optics(double sensorWidth, double longestFocalLength) {
   }
 
   /**
-   * Returns the radius of the field of view of a camera this high above the target plane (Eq 3.2).
+   * Returns the radius of the field of view of a camera at this height above the target plane (Eq
+   * 3.2).
    */
   public double radius(double focalLength, double mountHeight) {
     return mountHeight * StrictMath.tan(angleOfView(focalLength) / 2);
@@ -48,7 +49,7 @@ public record Optics(double sensorWidth, double longestFocalLength) {
    * @param distance metres
    */
   public double pixelsPerMetre(ZoomLevel zoom, double distance) {
-    int pixels = zoom.pixels() > 0 ? zoom.pixels() : USUAL_PIXELS;
+    int pixels = zoom.pixels() > 0 ? zoom.pixels() : DEFAULT_PIXELS;
     double angle = zoom.hasLens() ? zoom.angleOfView() : angleOfView(focalLength(zoom));
     return pixels / (2 * distance * StrictMath.tan(angle / 2));
   }

@@ -43,7 +43,7 @@ class BoxDetectionTest {
   }
 
   @Test
-  void seesTiltedHeightsAsPinholeDoes() {
+  void seesHeightsThroughTiltedLensAsAPinholeCamera() {
     VerticalView view = new VerticalView(10, Math.toRadians(30), Math.toRadians(60));
     Detection onMast = Detection.of(MODEL).inSpace(10 - 1, false);
     double distance = 17.3;
@@ -60,7 +60,7 @@ class BoxDetectionTest {
   }
 
   @Test
-  void decidesByProbabilityUnlessToldOtherwise() {
+  void decidesByProbabilityByDefault() {
     assertEquals("probability", MODEL.defaultRule().text());
     Detection byChance = Detection.by(DetectionRule.parse("chance"), "mine", MODEL);
     assertEquals(0.37, byChance.chance(0.37));
@@ -104,7 +104,7 @@ class BoxDetectionTest {
   }
 
   @Test
-  void targetsHaveTheUsualShape() {
+  void targetsOfScenariosHaveTheUsualShape() {
     FoundCurve curve = new FoundCurve(1, 3, 5, 0, 1, new WidthEffect(2, 0.4));
     assertEquals(curve.found(80, 0.2), curve.found(80, 0.4 * 80, 0.2), 1e-12);
     double wider = Math.log(curve.found(80, 40, 0) / (1 - curve.found(80, 40, 0)));
@@ -114,7 +114,7 @@ class BoxDetectionTest {
   }
 
   @Test
-  void namesBrokenNumbersOfFiles() {
+  void errorsNameInvalidNumbersInFiles() {
     assertRefused("height", "{\"intercept\": 1, \"height\": -2, \"hidden\": 1}");
     assertRefused("hidden", "{\"intercept\": 1, \"height\": 2}");
     assertRefused(

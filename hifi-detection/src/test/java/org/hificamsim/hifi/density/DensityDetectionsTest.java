@@ -123,7 +123,7 @@ class DensityDetectionsTest {
     "dori-2014:level=observe@0.5, observe",
     "ttpf:task=orient, ttpf:task=orient"
   })
-  void levelsHaveTheirFormerNamesBeside(String detection, String words) {
+  void levelNamesShowTheirFormerNames(String detection, String words) {
     assertEquals(words, DensityDetections.levelName(detection));
   }
 

@@ -35,7 +35,7 @@ class ExpressionTest {
     "1 / q, 2",
   })
   void keepsTheUsualOrderOfOperations(String text, double value) {
-    assertEquals(value, Expression.parse(text).at(Q, D, Z), 1e-15);
+    assertEquals(value, Expression.parse(text).value(Q, D, Z), 1e-15);
   }
 
   @ParameterizedTest
@@ -56,7 +56,7 @@ class ExpressionTest {
         "1,5     | at character 2, not ','",
         "NaN     | at character 1, not 'N'",
       })
-  void reportsWhatWasExpectedAtWhichCharacter(String text, String part) {
+  void errorsNameExpectationAndCharacter(String text, String part) {
     String message =
         assertThrows(IllegalArgumentException.class, () -> Expression.parse(text)).getMessage();
     assertTrue(message.startsWith("expected ") && message.contains(part), message);
@@ -68,14 +68,14 @@ class ExpressionTest {
     assertThrows(IllegalArgumentException.class, () -> Expression.parse(brackets));
     assertThrows(IllegalArgumentException.class, () -> Expression.parse("-".repeat(3000) + "z"));
     assertThrows(IllegalArgumentException.class, () -> Expression.parse("z+".repeat(3000) + "z"));
-    assertEquals(2000 * Z, Expression.parse("z+".repeat(1999) + "z").at(Q, D, Z), 1e-9);
+    assertEquals(2000 * Z, Expression.parse("z+".repeat(1999) + "z").value(Q, D, Z), 1e-9);
   }
 
   @Test
   void acceptsFormulaOfTheLargestSizeAndDepth() {
-    assertEquals(Z, Expression.parse(" ".repeat(3999) + "z").at(Q, D, Z));
+    assertEquals(Z, Expression.parse(" ".repeat(3999) + "z").value(Q, D, Z));
     assertThrows(IllegalArgumentException.class, () -> Expression.parse(" ".repeat(4000) + "z"));
-    assertEquals(-Z, Expression.parse("-".repeat(199) + "z").at(Q, D, Z));
+    assertEquals(-Z, Expression.parse("-".repeat(199) + "z").value(Q, D, Z));
     assertThrows(IllegalArgumentException.class, () -> Expression.parse("-".repeat(200) + "z"));
   }
 
@@ -83,7 +83,7 @@ class ExpressionTest {
   void readsEveryNumberExactly(@ForAll long bits) {
     double number = Double.longBitsToDouble(bits);
     if (Double.isFinite(number)) {
-      assertEquals(number, Expression.parse(Double.toString(number)).at(Q, D, Z));
+      assertEquals(number, Expression.parse(Double.toString(number)).value(Q, D, Z));
     }
   }
 

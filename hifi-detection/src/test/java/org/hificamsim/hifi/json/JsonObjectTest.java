@@ -73,7 +73,8 @@ class JsonObjectTest {
   }
 
   private static void assertFault(String part, String text, Function<JsonObject, Object> read) {
-    String told = assertThrows(InputException.class, () -> read.apply(object(text))).getMessage();
-    assertEquals(part, told.contains(part) ? part : told);
+    String message =
+        assertThrows(InputException.class, () -> read.apply(object(text))).getMessage();
+    assertEquals(part, message.contains(part) ? part : message);
   }
 }

@@ -16,8 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Tests what the models detect with the settings of the reproduction: radii of 2.5 to 7.5 m and a
- * size of 0.66 m.
+ * Tests the detections of the models with the settings of the reproduction: radii of 2.5 to 7.5 m
+ * and a size of 0.66 m.
  */
 class DetectedByHiFiTest {
   private static final double[] RADII = {2.5, 3.75, 5, 6.25, 7.5};
@@ -35,7 +35,7 @@ class DetectedByHiFiTest {
   }
 
   @Test
-  void orbLinCoversWholeViewOnlyAtNarrowLevels() {
+  void orbLinDetectsInTheWholeViewOnlyAtNarrowLevels() {
     assertTrue(detected("hifi:orb-lin", 5).contains(25));
     assertFalse(detected("hifi:orb-lin", 6.25).contains(6.25 * 6.25));
     assertFalse(detected("hifi:orb-lin", 7.5).contains(7.5 * 7.5));

@@ -9,7 +9,7 @@ import org.hificamsim.hifi.feature.FeatureAbstraction;
 final class Features {
   private Features() {}
 
-  static FeatureAbstraction named(String name) {
+  static FeatureAbstraction abstraction(String name) {
     return feature(name).f();
   }
 

@@ -38,8 +38,8 @@ class HiFiDetectionsTest {
       for (String f : ABSTRACTIONS) {
         HiFiDetection own = model("hifi:" + detector + "-" + f);
         HiFiDetection measured = model("hifi:" + detector + "-" + f + "-gt");
-        assertEquals(Features.named(f), own.f());
-        assertEquals(Features.named(f), measured.f());
+        assertEquals(Features.abstraction(f), own.f());
+        assertEquals(Features.abstraction(f), measured.f());
         assertEquals(
             PublishedModels.published()
                 .line(detector, PublishedModels.GROUND_TRUTH)

@@ -100,19 +100,19 @@ class NewerModelFilesTest {
     Detection chance = Detection.by(DetectionRule.parse("chance:alpha=0.05"), "mine", model);
     double near = chance.chance(model.confidence(0.66, 1, 0, zoom));
     double far = chance.chance(model.confidence(0.66, 1e9, 0, zoom));
-    assertEquals(0, far, 1e-9, g + ": nothing is detected where nothing is to be seen");
+    assertEquals(0, far, 1e-9, g + ": no detections at a confidence of 0");
     assertTrue(near > 0.9, g + ": " + near);
   }
 
   @Test
   void growingScatterSurvivesInVersion3() {
-    HiFiDetection one = model("mine", new DetectorLine(0.6, 0.02), Optional.empty());
+    HiFiDetection withoutGrowth = model("mine", new DetectorLine(0.6, 0.02), Optional.empty());
     HiFiDetection growing =
         new HiFiDetection(
             "mine",
-            one.f(),
-            one.g(),
-            one.optics(),
+            withoutGrowth.f(),
+            withoutGrowth.g(),
+            withoutGrowth.optics(),
             0.05,
             Optional.of(new Residuals(0.05, 0.01, 1.0 / 3)),
             Optional.empty(),
@@ -148,9 +148,9 @@ class NewerModelFilesTest {
 
   @Test
   void spanMayHaveOneLength() {
-    String one = MODEL.replace("\"most\": 0.085", "\"most\": 0.01");
+    String withoutGrowth = MODEL.replace("\"most\": 0.085", "\"most\": 0.01");
     HiFiDetection model =
-        (HiFiDetection) ModelFiles.parse("m", one.getBytes(StandardCharsets.UTF_8));
+        (HiFiDetection) ModelFiles.parse("m", withoutGrowth.getBytes(StandardCharsets.UTF_8));
     assertEquals(new Span(0.01, 0.01), model.fitted().orElseThrow().focalLength());
   }
 
@@ -224,10 +224,10 @@ class NewerModelFilesTest {
   @MethodSource("faults")
   void reportsErrorsWithPlaceAndValue(String right, String wrong, String message) {
     byte[] bytes = MODEL.replace(right, wrong).getBytes(StandardCharsets.UTF_8);
-    InputException told =
+    InputException error =
         assertThrows(InputException.class, () -> ModelFiles.parse("m.json", bytes));
-    assertTrue(told.getMessage().contains(message), told.getMessage());
-    assertTrue(told.getMessage().startsWith("m.json:"), told.getMessage());
+    assertTrue(error.getMessage().contains(message), error.getMessage());
+    assertTrue(error.getMessage().startsWith("m.json:"), error.getMessage());
   }
 
   private static String text(HiFiDetection model) {

@@ -29,7 +29,7 @@ class PowerLawDerivationTest {
         responses.stream().mapToDouble(Double::doubleValue).toArray(),
         logarithms.toArray(double[][]::new));
     double[] solved = regression.estimateRegressionParameters();
-    PowerLawAbstraction shipped = (PowerLawAbstraction) Features.named("power");
+    PowerLawAbstraction shipped = (PowerLawAbstraction) Features.abstraction("power");
     String derived =
         "c %s a %s b %s e %s".formatted(Math.pow(10, solved[0]), solved[1], solved[2], -solved[3]);
     assertEquals(Math.pow(10, solved[0]), shipped.c(), 1e-9, derived);

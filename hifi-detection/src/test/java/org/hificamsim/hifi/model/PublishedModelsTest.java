@@ -47,7 +47,8 @@ class PublishedModelsTest {
     "lin, 0.10, 10, 0.010, 4.0818",
   })
   void regressionsEqualTheirEquations(String f, double q, double d, double z, double value) {
-    assertEquals(value, ((LogPipAbstraction) Features.named(f)).negativeLogPip(q, d, z), 1e-12);
+    assertEquals(
+        value, ((LogPipAbstraction) Features.abstraction(f)).negativeLogPip(q, d, z), 1e-12);
   }
 
   @ParameterizedTest
@@ -69,10 +70,10 @@ class PublishedModelsTest {
   void reportsCatalogueErrorsWithLineAndColumn() throws IOException {
     String text = catalogue();
     assertEquals(CATALOGUE, read(text));
-    InputException told =
+    InputException error =
         assertThrows(InputException.class, () -> read(text.replaceFirst("slope", "slop")));
     assertTrue(
-        told.getMessage().matches("c:\\d+:\\d+: property 'slope' is missing, .*"), "" + told);
+        error.getMessage().matches("c:\\d+:\\d+: property 'slope' is missing, .*"), "" + error);
   }
 
   private static String catalogue() throws IOException {
@@ -82,7 +83,8 @@ class PublishedModelsTest {
   }
 
   private static PublishedModels read(String text) {
-    return JsonFile.parse("c", text.getBytes(StandardCharsets.UTF_8)).whole(PublishedModels::read);
+    return JsonFile.parse("c", text.getBytes(StandardCharsets.UTF_8))
+        .readWhole(PublishedModels::read);
   }
 
   @Test
@@ -99,7 +101,7 @@ class PublishedModelsTest {
       if (row.get("closed_form").equals("yes")) {
         assertSameValues(
             Expression.parse(row.get("equation")),
-            (LogPipAbstraction) Features.named(Published.name(row.get("id"))));
+            (LogPipAbstraction) Features.abstraction(Published.name(row.get("id"))));
         compared++;
       }
     }
@@ -108,7 +110,7 @@ class PublishedModelsTest {
 
   @Test
   void literalModelIsTheReferenceLineOnTheResponse() {
-    LinearAbstraction lin = (LinearAbstraction) Features.named("lin");
+    LinearAbstraction lin = (LinearAbstraction) Features.abstraction("lin");
     DetectorLine orb = CATALOGUE.line("orb", "lin").orElseThrow().g();
     LinearAbstraction literal = CATALOGUE.literal();
     assertEquals(orb.slope() * lin.z(), literal.z(), 0.0075);
@@ -151,7 +153,7 @@ class PublishedModelsTest {
     for (double z : new double[] {0.010, 0.024, 0.085}) {
       for (double q : new double[] {0.10, 0.31, 0.66}) {
         for (double d : new double[] {1, 5.07, 10}) {
-          assertEquals(published.at(q, d, z), shipped.negativeLogPip(q, d, z), 1e-12);
+          assertEquals(published.value(q, d, z), shipped.negativeLogPip(q, d, z), 1e-12);
         }
       }
     }

@@ -24,7 +24,7 @@ public record PhotoCamera(double sensorWidth, double sensorHeight, int width, in
   public static PhotoCamera of(Path folder) {
     return JsonFile.read(
             folder.resolve(Dataset.CAMERA), "the camera's sensor and pixels", MAX_BYTES)
-        .whole(
+        .readWhole(
             json ->
                 new PhotoCamera(
                     json.number("sensorWidth", 1e-6, 1),

@@ -90,7 +90,7 @@ class SymbolicRegressionTest {
     for (Formula formula : List.of(minus, quotient, negative, tiny)) {
       assertEquals(
           formula.at(row),
-          Expression.parse(formula.text()).at(row[0], row[1], row[2]),
+          Expression.parse(formula.text()).value(row[0], row[1], row[2]),
           1e-12,
           formula.text());
     }

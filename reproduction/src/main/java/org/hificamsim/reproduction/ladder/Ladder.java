@@ -21,9 +21,9 @@ public final class Ladder {
   private final Map<String, List<RungScenario>> scenarios = new LinkedHashMap<>();
 
   /**
-   * @param scenarios with different names
-   * @param rungs the top rung last
-   * @param policies two or more, with their options
+   * @param scenarios scenarios with different names
+   * @param rungs the rungs, the top rung last
+   * @param policies two policies or more, with their options
    * @param detections finds the detection of a rung in a scenario that the rung has changed
    * @throws InputException when two rungs are the same, or there are too few policies
    */
@@ -39,13 +39,13 @@ public final class Ladder {
           "the policies are '%s' alone, expected two or more to choose from", policies.get(0));
     }
     for (Scenario scenario : scenarios) {
-      List<RungScenario> ofRungs = new ArrayList<>();
+      List<RungScenario> variants = new ArrayList<>();
       for (Rung rung : rungs) {
         Scenario changed = rung.world().apply(scenario);
         Detection detection = detections.apply(rung, changed);
-        ofRungs.add(new RungScenario(scenario.name(), rung, changed, detection));
+        variants.add(new RungScenario(scenario.name(), rung, changed, detection));
       }
-      this.scenarios.put(scenario.name(), ofRungs);
+      this.scenarios.put(scenario.name(), variants);
     }
     requireDistinct();
   }
@@ -87,9 +87,10 @@ public final class Ladder {
   }
 
   /** The plans of all runs. */
-  public List<RunPlan> plans(Settings asked) {
+  public List<RunPlan> plans(Settings settings) {
     return all().stream()
-        .flatMap(rungScenario -> policies.stream().map(policy -> rungScenario.plan(policy, asked)))
+        .flatMap(
+            rungScenario -> policies.stream().map(policy -> rungScenario.plan(policy, settings)))
         .toList();
   }
 
@@ -110,8 +111,8 @@ public final class Ladder {
    * @param changed the variant
    */
   record RungScenario(String scenario, Rung rung, Scenario changed, Detection detection) {
-    RunPlan plan(String policy, Settings asked) {
-      return rung.with(asked).plan(changed, detection, policy);
+    RunPlan plan(String policy, Settings settings) {
+      return rung.with(settings).plan(changed, detection, policy);
     }
 
     List<CaseResult> results(Cases cases, List<String> policies) {

@@ -38,7 +38,7 @@ final class LadderFigures {
   LadderFigures(LadderResult result) {
     this.result = result;
     this.names =
-        result.of(RungResult.ALL).stream()
+        result.inScenario(RungResult.ALL).stream()
             .map(row -> FigureStyle.DEFAULT.name(row.rung().name()))
             .toList();
   }
@@ -112,7 +112,7 @@ final class LadderFigures {
       Function<RungResult, Estimate> figure,
       double offset,
       Color color) {
-    List<RungResult> rungs = result.of(scenario);
+    List<RungResult> rungs = result.inScenario(scenario);
     for (int i = 0; i < rungs.size(); i++) {
       Estimate estimate = figure.apply(rungs.get(i));
       if (!Double.isNaN(estimate.mean())) {

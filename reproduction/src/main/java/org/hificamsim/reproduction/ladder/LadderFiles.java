@@ -109,7 +109,7 @@ public final class LadderFiles {
       OutputFolder folder, Ladder ladder, List<CaseResult> results, Catalogue catalogue)
       throws IOException {
     StepCost cost = new StepCost(new RunExecutor(catalogue), ladder.policies().get(0));
-    return new LadderFiles(folder, ladder, results).write(cost.of(ladder.all()));
+    return new LadderFiles(folder, ladder, results).write(cost.measure(ladder.all()));
   }
 
   private LadderResult write(List<Double> costs) throws IOException {
@@ -182,8 +182,8 @@ public final class LadderFiles {
       this.policy = policy;
     }
 
-    /** The nanoseconds of a step for each; they are measured in turns, under the same load. */
-    List<Double> of(List<RungScenario> variants) {
+    /** Measures the nanoseconds of a step of each variant, in turns, under the same load. */
+    List<Double> measure(List<RungScenario> variants) {
       List<RunPlan> plans = variants.stream().map(this::calibrated).toList();
       double[] least = plans.stream().mapToDouble(this::nanoseconds).toArray();
       for (int round = 1; round < ROUNDS; round++) {

@@ -48,12 +48,12 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
   }
 
   /** The rungs in one scenario, the top rung last. */
-  public List<RungResult> of(String scenario) {
+  public List<RungResult> inScenario(String scenario) {
     return rungs.stream().filter(rung -> rung.scenario().equals(scenario)).toList();
   }
 
   /**
-   * How well a policy can be chosen by a rung, in one scenario or as the mean over all of them.
+   * The quality of choosing a policy by a rung, in one scenario or as the mean over all of them.
    *
    * @param scenario {@link #ALL} for the mean
    * @param optimum the mean score that the rung predicts for the exact optimum

@@ -18,7 +18,7 @@ public final class Rungs {
   /** The detection of the rungs of the world if neither the user nor the scenario names one. */
   public static final String WORLD_DETECTION = "oodpcvs-2025:level=perceive";
 
-  private static final List<Rung> OF_DETECTION =
+  private static final List<Rung> DETECTION_RUNGS =
       List.of(
           new Rung("geometric", "the field of view alone"),
           new Rung("camsim-standard", "the zoom (Eq 6.2)"),
@@ -37,19 +37,19 @@ public final class Rungs {
 
   /** All rungs of detection, the top rung last. */
   public static List<Rung> ofDetection() {
-    return OF_DETECTION;
+    return DETECTION_RUNGS;
   }
 
   /** The rung of detection of a name; a new one for a detection that has no rung here. */
   public static Rung ofDetection(String name) {
-    return find(OF_DETECTION, name).orElseGet(() -> new Rung(name, ""));
+    return find(DETECTION_RUNGS, name).orElseGet(() -> new Rung(name, ""));
   }
 
   /**
    * The rungs of the world, from round views to the unchanged scenario. Each rung lacks one thing
    * that the rung above it has.
    *
-   * @param detection of all rungs, as users name it; empty for that of each scenario
+   * @param detection detection of all rungs, as users name it; empty for that of each scenario
    */
   public static List<Rung> ofWorld(Optional<String> detection) {
     return List.of(
@@ -90,9 +90,9 @@ public final class Rungs {
   /**
    * A degree of realism: how it simplifies a scenario, and how targets are detected.
    *
-   * @param name in files, different from those of the other rungs of a ladder
-   * @param adds what the rungs below lack, in a few words
-   * @param detection as users name it; empty for that of the scenario
+   * @param name name in files, different from those of the other rungs of a ladder
+   * @param adds the realism that the rungs below lack, in a few words
+   * @param detection detection as users name it; empty for that of the scenario
    * @param world simplifies a scenario and gives it another name; or returns it unchanged
    */
   public record Rung(
@@ -103,10 +103,10 @@ public final class Rungs {
     }
 
     /** The settings with the detection of this rung. */
-    Settings with(Settings asked) {
+    Settings with(Settings settings) {
       return detection
-          .map(name -> asked.with(Setting.DETECTION, name))
-          .orElseGet(() -> asked.orElse(Setting.DETECTION, WORLD_DETECTION));
+          .map(name -> settings.with(Setting.DETECTION, name))
+          .orElseGet(() -> settings.orElse(Setting.DETECTION, WORLD_DETECTION));
     }
 
     /**
@@ -116,10 +116,11 @@ public final class Rungs {
      * @throws org.hificamsim.core.InputException when there is no such detection
      */
     public Detection detection(
-        Settings asked, Scenario scenario, Function<String, DetectionModel> models) {
-      Settings settings = with(asked);
-      DetectionSpec spec = DetectionSpec.parse(settings.value(Setting.DETECTION, scenario), models);
-      return spec.or(spec.model().defaultRule()).detection(settings, scenario);
+        Settings settings, Scenario scenario, Function<String, DetectionModel> models) {
+      Settings rungSettings = with(settings);
+      DetectionSpec spec =
+          DetectionSpec.parse(rungSettings.value(Setting.DETECTION, scenario), models);
+      return spec.or(spec.model().defaultRule()).detection(rungSettings, scenario);
     }
   }
 }

@@ -10,10 +10,13 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Waypoint;
 import org.hificamsim.hifi.optics.Optics;
 
-/** Changes the targets or optics of a scenario; its new name says what is changed. */
+/** Changes the targets or optics of a scenario, and names it after the change. */
 final class ChangedWorld {
   private static final long SEED = 71;
+
+  /** Drawn positions are within this share of the field, around its middle. */
   private static final double INSIDE = 0.8;
+
   private static final double FULL_TURN = 360;
 
   private ChangedWorld() {}

@@ -11,7 +11,7 @@ final class Findings {
   private Findings() {}
 
   /** A paragraph in Markdown for each parameter. */
-  static String of(List<ParameterSweep> sweeps, List<Gap> gaps) {
+  static String describe(List<ParameterSweep> sweeps, List<Gap> gaps) {
     StringBuilder text =
         new StringBuilder(
             """
@@ -28,7 +28,7 @@ its whole 95% interval, by layout and policy; it flips where it is below with it
   }
 
   /** A paragraph in Markdown on the settings that fit the hi-fi column as well as the defaults. */
-  static String ofFits(List<Fit> fits) {
+  static String describeFits(List<Fit> fits) {
     Fit defaults = fits.stream().filter(fit -> fit.variant().isDefault()).findFirst().orElseThrow();
     List<Fit> others = fits.stream().filter(fit -> fit.isOther(defaults)).toList();
     return String.format(

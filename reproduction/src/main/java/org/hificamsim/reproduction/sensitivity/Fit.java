@@ -9,7 +9,7 @@ import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;
 
 /**
- * How well a setting fits Table 8.1 with all others at their defaults: the mean distance of the
+ * The fit of a setting to Table 8.1 with all others at their defaults: the mean distance of the
  * nine cells of a detection model. If many settings fit equally well, the table cannot tell them
  * apart.
  *
@@ -18,7 +18,7 @@ import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;
  * @param camsim the distance from CamSim's column
  */
 record Fit(ParameterSweep sweep, Variant variant, double hifi, double camsim) {
-  /** A distance up to this much larger than that of the defaults is as good. */
+  /** A fit is as good as the defaults if its distance is larger by no more than this. */
   static final double TOLERANCE = 0.01;
 
   /** The fits of all values of the sweeps that change a cell of the table. */

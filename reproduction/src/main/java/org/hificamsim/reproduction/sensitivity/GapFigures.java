@@ -43,13 +43,13 @@ final class GapFigures {
   }
 
   private Figure byLayout(ParameterSweep sweep) {
-    List<Gap> ofSweep = gaps.stream().filter(gap -> gap.isOf(sweep)).toList();
+    List<Gap> sweepGaps = gaps.stream().filter(gap -> gap.isOf(sweep)).toList();
     return new Figure(
         "What the " + sweep.meaning() + " does to the conclusion of chapter 8",
         NOTE,
         new PolicyColors(colors, sweep.policies()).legend(),
         Arrays.stream(Layout.values())
-            .map(layout -> panel(layout.label(), sweep, layout.label(), ofSweep))
+            .map(layout -> panel(layout.label(), sweep, layout.label(), sweepGaps))
             .toList(),
         Layout.values().length,
         WIDTH,
@@ -57,13 +57,13 @@ final class GapFigures {
   }
 
   private Figure overview(List<ParameterSweep> sweeps) {
-    List<Gap> ofAllLayouts = gaps.stream().filter(gap -> gap.layout().equals(Gap.ALL)).toList();
+    List<Gap> overallGaps = gaps.stream().filter(gap -> gap.layout().equals(Gap.ALL)).toList();
     return new Figure(
         "What each open parameter does to the conclusion of chapter 8",
         "Mean over the three layouts. " + NOTE,
         colors.legend(),
         sweeps.stream()
-            .map(sweep -> panel(sweep.parameter(), sweep, Gap.ALL, ofAllLayouts))
+            .map(sweep -> panel(sweep.parameter(), sweep, Gap.ALL, overallGaps))
             .toList(),
         3,
         WIDTH,

@@ -68,7 +68,7 @@ public final class SensitivityFiles {
     GAPS.write(folder, gaps.stream());
     FITS.write(folder, fits.stream());
     new GapFigures(gaps).write(folder, parameterSweeps);
-    String findings = Findings.of(parameterSweeps, gaps) + Findings.ofFits(fits);
+    String findings = Findings.describe(parameterSweeps, gaps) + Findings.describeFits(fits);
     try (PrintWriter out = new PrintWriter(folder.open("sensitivity.md"))) {
       out.print(findings);
     }

@@ -39,7 +39,7 @@ public final class Sweeps {
   private final Detection camsim;
 
   /**
-   * @param scenarios of Table 7.1, by name
+   * @param scenarios the scenarios of Table 7.1, by name
    */
   public Sweeps(Map<String, Scenario> scenarios, Function<String, DetectionModel> models) {
     this.scenarios = scenarios;
@@ -54,21 +54,23 @@ public final class Sweeps {
   }
 
   /**
-   * A sweep as the resource {@code sweeps.json} declares it.
+   * The declaration of a sweep in the resource {@code sweeps.json}.
    *
-   * @param values in ascending order, with blanks between; a star marks the default
-   * @param policies that the parameter can change; null for all
+   * @param values the values in ascending order, separated by blanks; a star marks the default
+   * @param policies the policies that the parameter can change; null for all
    */
-  private record Declared(String parameter, String values, String meaning, List<String> policies) {}
+  private record SweepDeclaration(
+      String parameter, String values, String meaning, List<String> policies) {}
 
   /** Every sweep, in the order of files. */
   List<ParameterSweep> all() {
     byte[] json = Io.resource(Sweeps.class, "sweeps.json");
-    Declared[] declared = Io.get(() -> new ObjectMapper().readValue(json, Declared[].class));
+    SweepDeclaration[] declared =
+        Io.get(() -> new ObjectMapper().readValue(json, SweepDeclaration[].class));
     return Stream.of(declared).map(this::sweep).toList();
   }
 
-  private ParameterSweep sweep(Declared declared) {
+  private ParameterSweep sweep(SweepDeclaration declared) {
     List<String> policies = declared.policies == null ? ALL_POLICIES : declared.policies;
     Map<String, String> specs = new LinkedHashMap<>();
     policies.forEach(policy -> specs.put(policy, policy));
@@ -99,12 +101,12 @@ public final class Sweeps {
       case "formula" -> defaults.withCamSim(detection(value));
       case "greedy" -> defaults.withGreedy(value);
       case "targets" ->
-          world(
+          withChangedWorld(
               defaults, (scenario, count) -> ChangedWorld.withTargets(scenario, count.intValue()));
-      case "size" -> world(defaults, ChangedWorld::withSize);
-      case "optics" -> world(defaults, Sweeps::withFocalLength);
-      case "speed" -> world(defaults, ChangedWorld::withSpeed);
-      case "radii" -> world(defaults, ChangedWorld::withWidestRadius);
+      case "size" -> withChangedWorld(defaults, ChangedWorld::withSize);
+      case "optics" -> withChangedWorld(defaults, Sweeps::withFocalLength);
+      case "speed" -> withChangedWorld(defaults, ChangedWorld::withSpeed);
+      case "radii" -> withChangedWorld(defaults, ChangedWorld::withWidestRadius);
       default -> defaults.withOption(parameter);
     };
   }
@@ -114,22 +116,23 @@ public final class Sweeps {
         scenario, PublishedModels.published().optics(), focalLength);
   }
 
-  private static Variant world(Variant defaults, BiFunction<Scenario, Double, Scenario> change) {
+  private static Variant withChangedWorld(
+      Variant defaults, BiFunction<Scenario, Double, Scenario> change) {
     return defaults.withScenarios(
         scenario -> change.apply(scenario, Double.valueOf(defaults.value())));
   }
 
   /** The plans of all sweeps, each once. */
-  public List<RunPlan> plans(Settings asked) {
+  public List<RunPlan> plans(Settings settings) {
     Set<RunPlan> plans = new LinkedHashSet<>();
     for (ParameterSweep sweep : all()) {
       for (Variant variant : sweep.variants()) {
         for (Scenario scenario : variant.scenarios().values()) {
           for (Detection detection : variant.detections()) {
             for (String policy : variant.policies().values()) {
-              plans.add(asked.plan(scenario, detection, policy));
+              plans.add(settings.plan(scenario, detection, policy));
             }
-            plans.add(asked.plan(scenario, detection, variant.greedy()));
+            plans.add(settings.plan(scenario, detection, variant.greedy()));
           }
         }
       }
@@ -144,8 +147,8 @@ public final class Sweeps {
   /**
    * A parameter with its values in ascending order.
    *
-   * @param parameter the name in files
-   * @param meaning in words
+   * @param parameter the parameter's name in files
+   * @param meaning the meaning of the parameter in words
    */
   record ParameterSweep(String parameter, String meaning, List<Variant> variants) {
     /** The policies that the parameter can change. */
@@ -157,8 +160,9 @@ public final class Sweeps {
      * A value of a parameter, with all other parameters at their defaults.
      *
      * @param isDefault whether the value is the default
-     * @param scenarios of Table 7.1, perhaps changed, by their original names
-     * @param policies with options, by the names of the policies that the parameter can change
+     * @param scenarios the scenarios of Table 7.1, perhaps changed, by their original names
+     * @param policies policies with options, by the names of the policies that the parameter can
+     *     change
      * @param greedy the policy whose performance divides that of all others
      */
     record Variant(

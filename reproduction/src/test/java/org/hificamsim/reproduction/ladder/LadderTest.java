@@ -35,7 +35,7 @@ class LadderTest {
           ROOT.resolve("scenarios/ring-random.xml"), movement -> true, warning -> {});
 
   /** A rung that changes the scenario only: it has one target. */
-  private static final Rung LONELY =
+  private static final Rung ONE_TARGET =
       new Rung(
           "lonely",
           "no other targets",
@@ -60,7 +60,7 @@ class LadderTest {
   @Test
   void hasAllRungsWithDifferentNames() {
     Ladder ladder = ladder(Rungs.ofDetection().toArray(Rung[]::new));
-    assertEquals(2 * Rungs.ofDetection().size(), ladder.plans(asked(1)).size());
+    assertEquals(2 * Rungs.ofDetection().size(), ladder.plans(settings(1)).size());
     assertEquals(
         Rungs.ofDetection().size(),
         Rungs.ofDetection().stream().map(Rung::name).distinct().count());
@@ -68,7 +68,7 @@ class LadderTest {
 
   @Test
   void topRungIsByChance() {
-    List<RunPlan> plans = ladder(Rungs.ofDetection().toArray(Rung[]::new)).plans(asked(1));
+    List<RunPlan> plans = ladder(Rungs.ofDetection().toArray(Rung[]::new)).plans(settings(1));
     RunPlan top = plans.get(plans.size() - 1);
     assertEquals("hifi:orb-lin@chance", top.detection().name());
     assertTrue(plans.stream().anyMatch(plan -> plan.detection().name().equals("hifi:orb-lin")));
@@ -76,16 +76,18 @@ class LadderTest {
 
   @Test
   void findsResultsOfChangedScenarioByOriginalName() {
-    Ladder ladder = ladder(Rungs.ofDetection("geometric"), LONELY);
-    List<RunPlan> plans = ladder.plans(asked(2));
+    Ladder ladder = ladder(Rungs.ofDetection("geometric"), ONE_TARGET);
+    List<RunPlan> plans = ladder.plans(settings(2));
     assertEquals(
         List.of("ring-random", "ring-random", "lonely-ring", "lonely-ring"),
         plans.stream().map(plan -> plan.scenario().name()).toList());
     assertEquals(1, plans.get(2).scenario().targets().size());
     LadderResult result =
         LadderResult.of(
-            ladder, new Cases(plans.stream().map(LadderTest::made).toList()), List.of(1.0, 2.0));
-    List<RungResult> ring = result.of("ring-random");
+            ladder,
+            new Cases(plans.stream().map(LadderTest::madeUpResultUpResult).toList()),
+            List.of(1.0, 2.0));
+    List<RungResult> ring = result.inScenario("ring-random");
     assertEquals(List.of("geometric", "lonely"), names(ring));
     assertEquals(-1, ring.get(0).tau().mean());
     assertEquals(List.of("zoom-out"), ring.get(0).chosen());
@@ -96,7 +98,7 @@ class LadderTest {
   }
 
   /** Zooming out gives 10, zooming in 4 of every 10 steps; with one target they are swapped. */
-  private static CaseResult made(RunPlan plan) {
+  private static CaseResult madeUpResult(RunPlan plan) {
     boolean lonely = plan.scenario().name().startsWith("lonely");
     boolean good = plan.policy().equals("zoom-out") != lonely;
     List<ScoredRun> runs =
@@ -107,7 +109,7 @@ class LadderTest {
     return new CaseResult(plan, runs, new double[10], new double[10], new double[2][10]);
   }
 
-  private static Settings asked(int repeats) {
+  private static Settings settings(int repeats) {
     return Settings.NONE.with(Setting.STEPS, "10").with(Setting.REPEAT, "" + repeats);
   }
 

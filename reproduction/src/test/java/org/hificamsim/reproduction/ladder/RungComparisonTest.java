@@ -63,8 +63,8 @@ class RungComparisonTest {
   void regretOfTiedChoicesIsMeanOfTheirRegrets() {
     RungComparison comparison = new RungComparison(scores(1, 1, 0), scores(0.4, 0.8, 0.9));
     assertEquals(0.9 - 0.6, comparison.regret(ONE), 1e-12);
-    RungComparison blind = new RungComparison(scores(0, 0, 0), scores(0.3, 0.6, 0.9));
-    assertEquals(0.3, blind.regret(ONE), 1e-12);
+    RungComparison allTied = new RungComparison(scores(0, 0, 0), scores(0.3, 0.6, 0.9));
+    assertEquals(0.3, allTied.regret(ONE), 1e-12);
   }
 
   @Test

@@ -57,8 +57,8 @@ public final class ChannelExperiment {
       return ChannelModel.parse(key + "=" + String.format(Locale.ROOT, number, value));
     }
 
-    /** The position of a value on the axis; bits are logarithmic. */
-    double at(double value) {
+    /** The position of a value on the axis; the axis of bits is logarithmic. */
+    double position(double value) {
       return key.equals("bandwidth") ? Math.log(value) / Math.log(2) : value;
     }
   }
@@ -237,7 +237,9 @@ public final class ChannelExperiment {
     List<XyPanel> panels = new ArrayList<>();
     for (Sweep sweep : SWEEPS) {
       XyPanel panel = new XyPanel(sweep.title, "", "share of the optimum's score");
-      panel.x(sweep.at(sweep.values.get(0)), sweep.at(sweep.values.get(sweep.values.size() - 1)));
+      panel.x(
+          sweep.position(sweep.values.get(0)),
+          sweep.position(sweep.values.get(sweep.values.size() - 1)));
       panel.y(0, 1);
       for (String policy : policies) {
         draw(panel, sweep, outcomes, policy, Palette.line(policies.indexOf(policy)));
@@ -278,7 +280,7 @@ public final class ChannelExperiment {
         outcomes.stream()
             .filter(outcome -> outcome.policy().equals(policy) && outcome.key().equals(sweep.key))
             .toList();
-    double[] x = own.stream().mapToDouble(outcome -> sweep.at(outcome.value())).toArray();
+    double[] x = own.stream().mapToDouble(outcome -> sweep.position(outcome.value())).toArray();
     Curve curve =
         new Curve(x, own.stream().mapToDouble(outcome -> outcome.share().mean()).toArray());
     if (policy.equals(AUCTIONS)) {

@@ -31,8 +31,8 @@ import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.output.Table;
 
 /**
- * Runs the experiment of {@code docs/energy.md}: what score cameras reach for how much energy, if
- * they are awake all the time or take turns in sleeping.
+ * Runs the experiment of {@code docs/energy.md}: the score of cameras and the energy that it takes,
+ * if they are awake all the time or take turns in sleeping.
  */
 public final class EnergyExperiment {
   /** A radio that is measured, and figures of a camera with motors that are only plausible. */
@@ -40,13 +40,13 @@ public final class EnergyExperiment {
       EnergyModel.parse(
           "cc2420,idle=50mW,sleep=1mW,sense=100mJ,detection=10mJ,pan=10mJ,zoom=100mJ");
 
-  /** In how many of six steps a camera is awake. */
+  /** The numbers of steps of a period in which cameras are awake. */
   private static final int[] AWAKE = {6, 5, 4, 3, 2};
 
   private static final int PERIOD = 6;
 
   /**
-   * What cameras do, by its name in the figure.
+   * A way to run the cameras, with its name in the figure.
    *
    * @param thin whether its line is thin, so that it does not cover others
    */
@@ -80,9 +80,9 @@ public final class EnergyExperiment {
   /**
    * The energy and score of a contender under a duty cycle.
    *
-   * @param awake steps of a period in which cameras are awake
-   * @param joules of a camera in a step, mean over seeds
-   * @param share of the score of the optimum of cameras that are always awake
+   * @param awake number of steps of a period in which cameras are awake
+   * @param joules energy of a camera in a step, mean over seeds
+   * @param share share of the score of the optimum of cameras that are always awake
    */
   private record Outcome(Path file, String contender, int awake, Estimate joules, Estimate share) {}
 
@@ -146,7 +146,7 @@ public final class EnergyExperiment {
         file, contender.name, awake, Estimate.mean(joules), Estimate.mean(shares).within(0, 1));
   }
 
-  /** Neighbours in the file sleep at different times. */
+  /** Makes cameras that are neighbours in the file sleep at different times. */
   private Scenario scenario(Path file, int awake) {
     Scenario scenario = runs.scenario(file).with(Scenario.ENERGY, ENERGY);
     List<CameraSpec> cameras = scenario.cameras();

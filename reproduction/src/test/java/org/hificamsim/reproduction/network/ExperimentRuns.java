@@ -40,7 +40,7 @@ final class ExperimentRuns {
     return new RunExecutor(catalogue).repeat(plan, 0, List.of());
   }
 
-  /** A number for a table, with four decimals. */
+  /** Rounds a number for a table to four decimals. */
   static double rounded(double value) {
     return Double.isNaN(value)
         ? value

@@ -32,15 +32,16 @@ class SweepsTest {
     Variant variant = ALL.get(0).variants().get(0);
     assertEquals(
         Catalogue.load().detection("hifi:orb-lin").defaultThreshold(),
-        Double.parseDouble(standard("threshold-hifi")));
-    assertEquals(variant.camsim().threshold(), Double.parseDouble(standard("threshold-camsim")));
-    assertEquals(TargetSpec.DEFAULT_SIZE, Double.parseDouble(standard("size")));
+        Double.parseDouble(defaultValue("threshold-hifi")));
+    assertEquals(
+        variant.camsim().threshold(), Double.parseDouble(defaultValue("threshold-camsim")));
+    assertEquals(TargetSpec.DEFAULT_SIZE, Double.parseDouble(defaultValue("size")));
     assertEquals(
         PublishedModels.published().optics().longestFocalLength(),
-        Double.parseDouble(standard("optics")));
+        Double.parseDouble(defaultValue("optics")));
   }
 
-  private static String standard(String parameter) {
+  private static String defaultValue(String parameter) {
     return ALL.stream()
         .filter(sweep -> sweep.parameter().equals(parameter))
         .flatMap(sweep -> sweep.variants().stream())

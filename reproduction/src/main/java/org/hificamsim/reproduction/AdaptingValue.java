@@ -21,11 +21,11 @@ import org.hificamsim.runs.compare.Cases;
  * @param fixed the performance of {@code fixed:2}, summed over the seeds
  * @param sameEveryStep whether both have the same mean k_min in every step
  */
-public record Adapting(
+public record AdaptingValue(
     String scenario, String detection, long optimum, long fixed, boolean sameEveryStep) {
   /** The six scenarios under both models. */
-  static List<Adapting> of(Cases cases) {
-    List<Adapting> values = new ArrayList<>();
+  static List<AdaptingValue> of(Cases cases) {
+    List<AdaptingValue> values = new ArrayList<>();
     for (String detection : List.of(HIFI, CAMSIM)) {
       for (String scenario : Layout.SCENARIOS) {
         values.add(of(cases, scenario, detection));
@@ -39,20 +39,20 @@ public record Adapting(
     return fixed == 0 ? Double.NaN : (double) optimum / fixed;
   }
 
-  /** The finding in a sentence. */
-  public static String finding(List<Adapting> values) {
-    double most = values.stream().mapToDouble(Adapting::value).max().orElse(Double.NaN);
+  /** Describes the finding in a sentence. */
+  public static String finding(List<AdaptingValue> values) {
+    double most = values.stream().mapToDouble(AdaptingValue::value).max().orElse(Double.NaN);
     return Texts.format(
         "The optimum is static: %s has the k_min of optimal at every step in %d of %d"
             + " cases (scenario, model); at best, adapting the zoom is worth %.2f of a fixed"
             + " one.",
-        FIXED, values.stream().filter(Adapting::sameEveryStep).count(), values.size(), most);
+        FIXED, values.stream().filter(AdaptingValue::sameEveryStep).count(), values.size(), most);
   }
 
-  private static Adapting of(Cases cases, String scenario, String detection) {
+  private static AdaptingValue of(Cases cases, String scenario, String detection) {
     CaseResult optimal = cases.find(scenario, detection, OPTIMAL);
     CaseResult fixed = cases.find(scenario, detection, FIXED);
-    return new Adapting(
+    return new AdaptingValue(
         scenario,
         detection,
         performance(optimal),
