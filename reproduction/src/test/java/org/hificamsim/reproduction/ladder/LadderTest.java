@@ -85,7 +85,7 @@ class LadderTest {
     LadderResult result =
         LadderResult.of(
             ladder,
-            new Cases(plans.stream().map(LadderTest::madeUpResultUpResult).toList()),
+            new Cases(plans.stream().map(LadderTest::madeUpResult).toList()),
             List.of(1.0, 2.0));
     List<RungResult> ring = result.inScenario("ring-random");
     assertEquals(List.of("geometric", "lonely"), names(ring));
