@@ -166,7 +166,7 @@ final class BoxesCommand implements Callable<Integer> {
         .println(detection.equation() + "; px: height in pixels, h: hidden share" + widthNote(fit));
     terminal().println(fit.width());
     fit.losses().forEach(terminal()::println);
-    printFifths(fit.ofModel());
+    printFifths(fit.modelReliability());
   }
 
   private static String widthNote(BoxFit fit) {

@@ -30,7 +30,7 @@ final class DetectorBoxesOptions {
   private int withoutPlace;
 
   /** Simulates the recording for each detection, if there are boxes of a detector. */
-  CheckFolder.More check(Path labels, Calibration camera, Size body) {
+  CheckFolder.FurtherFiles check(Path labels, Calibration camera, Size body) {
     boxes.ifPresent(file -> check(labels, file, camera, body));
     return folder -> {
       if (!expected.isEmpty()) {

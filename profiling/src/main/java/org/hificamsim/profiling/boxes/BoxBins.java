@@ -17,9 +17,9 @@ final class BoxBins {
   /**
    * A range of values.
    *
-   * @param from not part of it
-   * @param to part of it
-   * @param label for readers
+   * @param from the lower end, exclusive
+   * @param to the upper end, inclusive
+   * @param label the text for readers
    */
   record Bin(double from, double to, String label) {
     boolean contains(double value) {
@@ -45,7 +45,7 @@ final class BoxBins {
     return bins;
   }
 
-  /** Returns the ranges of the height in pixels that some boxes are in. */
+  /** Returns the ranges of the height in pixels that contain a box at least. */
   static List<Bin> heights(List<PersonBox> boxes) {
     List<Bin> bins = new ArrayList<>();
     double from = 0;

@@ -103,7 +103,7 @@ final class BoxFigure {
       List<PersonBox> boxes,
       List<Bin> bins,
       ToDoubleFunction<PersonBox> quantity,
-      ToDoubleFunction<Bin> place) {
+      ToDoubleFunction<Bin> position) {
     for (int i = 0; i < measured.recordings().size(); i++) {
       String recording = measured.recordings().get(i).recording();
       Color color = Palette.line(i);
@@ -115,7 +115,7 @@ final class BoxFigure {
                     .filter(box -> bin.contains(quantity.applyAsDouble(box)))
                     .toList());
         if (share.boxes() > 0) {
-          double x = place.applyAsDouble(bin);
+          double x = position.applyAsDouble(bin);
           panel.interval(x, share.low(), share.high(), color);
           panel.dots(new Curve(new double[] {x}, new double[] {share.found()}), color);
         }

@@ -15,14 +15,14 @@ import org.hificamsim.profiling.fit.OneStandardError;
 import org.hificamsim.profiling.fit.Reliability;
 
 /**
- * The model that fits measured boxes, and how well its form predicts boxes that it has not seen.
+ * The model that fits measured boxes, and the quality of its predictions for boxes that its fit has
+ * not seen.
  *
  * @param form the simplest form that is as good as the best on unseen people
- * @param curve of that form, fitted to all boxes
- * @param unseenPeople by form, how well boxes of unseen people are predicted
+ * @param curve the curve of that form, fitted to all boxes
+ * @param unseenPeople by form, the reliability of its chances for boxes of unseen people
  * @param unseenRecordings the same for unseen recordings; empty if there is one recording
- * @param unseenTenths by form of a model, the same where a tenth of the people is left out at a
- *     time
+ * @param unseenTenths by form of a model, the same with a tenth of the people left out at a time
  * @param rejected whether the model is not surely better than a constant on unseen people
  */
 public record BoxFit(
@@ -35,8 +35,8 @@ public record BoxFit(
     boolean rejected) {
   /** Fits measured boxes. */
   public static BoxFit of(MeasuredBoxes measured) {
-    UnseenChances unseen = UnseenChances.ofPeople(measured);
-    UnseenChances tenths = UnseenChances.ofTenths(measured);
+    UnseenChances unseen = UnseenChances.withoutPeople(measured);
+    UnseenChances tenths = UnseenChances.withoutTenths(measured);
     List<FoundForm> models = FoundForm.models();
     FoundForm form =
         models.get(OneStandardError.simplest(models.stream().map(tenths::lossesByPerson).toList()));
@@ -51,18 +51,18 @@ public record BoxFit(
         FoundFit.fit(form, measured.boxes()),
         people,
         measured.recordings().size() > 1
-            ? UnseenChances.ofRecordings(measured).reliabilities()
+            ? UnseenChances.withoutRecordings(measured).reliabilities()
             : Map.of(),
         tenths.reliabilities(),
         rejected);
   }
 
-  /** Returns how well the model predicts boxes of people that it has not seen. */
-  public Reliability ofModel() {
+  /** Returns the reliability of the model for boxes of people that its fit has not seen. */
+  public Reliability modelReliability() {
     return unseenPeople.get(form);
   }
 
-  /** Says what became of the width, for readers. */
+  /** Returns a sentence on whether the width of boxes counts in the model. */
   public String width() {
     double with = unseenTenths.get(form.withWidth(true)).logLoss();
     double without = unseenTenths.get(form.withWidth(false)).logLoss();
@@ -93,7 +93,7 @@ public record BoxFit(
     return Texts.format(
         "%s is no detector: on people that it has not seen its log loss is %.3f, and that of a"
             + " constant %.3f; expected a surely lower one",
-        name, ofModel().logLoss(), unseenPeople.get(FoundForm.CONSTANT).logLoss());
+        name, modelReliability().logLoss(), unseenPeople.get(FoundForm.CONSTANT).logLoss());
   }
 
   /** Returns the model under a name. */

@@ -10,7 +10,7 @@ import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.profiling.dataset.TableLayout;
 
-/** Writes what was measured: a row for each box, the table of shares, a picture, and the model. */
+/** Writes the measured boxes: a row for each, the table of shares, a picture, and the model. */
 public final class BoxFolder {
   /** The table of boxes. */
   public static final String BOXES = "boxes.csv";
@@ -31,7 +31,7 @@ public final class BoxFolder {
   /**
    * Writes the files, all or none.
    *
-   * @param shown the model that the picture and the table have next to what was measured
+   * @param shown the model that the picture and the table show next to the measured shares
    * @param fitted the model to write, if one was fitted
    */
   public static void write(

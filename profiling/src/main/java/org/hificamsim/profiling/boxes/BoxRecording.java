@@ -12,7 +12,7 @@ import org.hificamsim.profiling.check.Calibration.Size;
 /**
  * A labelled recording with the boxes of a detector.
  *
- * @param name for tables
+ * @param name the name in tables
  * @param picture the size of the picture, if it is known
  * @param frames by number, from the first that has a label to the last
  * @param outside the number of detections before the first labelled frame or after the last
@@ -20,11 +20,11 @@ import org.hificamsim.profiling.check.Calibration.Size;
 public record BoxRecording(
     String name, Optional<Size> picture, NavigableMap<Long, FrameBoxes> frames, int outside) {
   /**
-   * How files are read.
+   * Settings for reading files.
    *
    * @param picture the size of the picture, which YOLO's files need
    * @param type the class of the labels that count; empty for people
-   * @param leastScore detections below it are left out, in [0, 1]
+   * @param leastScore the least score of the detections that are read, in [0, 1]
    */
   public record Reading(Optional<Size> picture, Optional<String> type, double leastScore) {}
 
@@ -37,7 +37,7 @@ public record BoxRecording(
   public static BoxRecording read(Path labels, Path detections, Reading reading) {
     BoxFile labelFile = BoxFile.of(labels, reading);
     NavigableMap<Long, FrameBoxes> frames = new TreeMap<>();
-    labelFile.labels((frame, label) -> at(frames, frame).labels().add(label));
+    labelFile.labels((frame, label) -> frameAt(frames, frame).labels().add(label));
     if (frames.values().stream()
         .flatMap(frame -> frame.labels().stream())
         .noneMatch(LabelledBox::counted)) {
@@ -51,7 +51,7 @@ public record BoxRecording(
     return new BoxRecording(name(labels), labelFile.picture(), frames, detected.outside());
   }
 
-  private static FrameBoxes at(NavigableMap<Long, FrameBoxes> frames, long frame) {
+  private static FrameBoxes frameAt(NavigableMap<Long, FrameBoxes> frames, long frame) {
     return frames.computeIfAbsent(frame, number -> new FrameBoxes());
   }
 

@@ -8,8 +8,8 @@ import org.hificamsim.data.JsonStream;
 /**
  * A box of a COCO file.
  *
- * @param person its track; null if it has none
- * @param score 1 if it has none
+ * @param person the id of its track; null if it has none
+ * @param score the detector's score in [0, 1]; 1 if the file has none
  * @param crowd whether the box is around several people
  */
 record CocoBox(

@@ -9,7 +9,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.boxes.ExpectedPeople.Sums;
 import org.hificamsim.profiling.dataset.TableLayout;
 
-/** Writes what detections expect of the people of a recording: by detection, frame and person. */
+/** Writes the chances that detections give to the people of a recording, by frame and person. */
 public final class ExpectedFolder {
   /** The table of detections. */
   public static final String DETECTIONS = "expected.csv";

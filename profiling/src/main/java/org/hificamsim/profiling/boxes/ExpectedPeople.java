@@ -8,12 +8,12 @@ import org.apache.commons.math3.stat.correlation.PearsonsCorrelation;
 import org.hificamsim.profiling.fit.Reliability;
 
 /**
- * What a detection expects of people in the simulated picture, and what a detector found in the
- * real one.
+ * The chances that a detection gives to people in the simulated picture, compared with those that a
+ * detector found in the real one.
  *
- * @param detection its name
- * @param people in each frame
- * @param chances of the people, in the same order
+ * @param detection the name of the detection
+ * @param people the people of all frames
+ * @param chances the chance of each of them, in the same order
  */
 public record ExpectedPeople(String detection, List<PersonBox> people, double[] chances) {
   /**
@@ -21,7 +21,7 @@ public record ExpectedPeople(String detection, List<PersonBox> people, double[] 
    *
    * @param boxes the number of boxes
    * @param expected the sum of their chances
-   * @param found how many were found
+   * @param found the number that was found
    */
   public record Sums(int boxes, double expected, int found) {
     Sums plus(double chance, int more) {

@@ -76,8 +76,8 @@ public final class FoundTable {
     lines.add(line("found of", columns()));
     int width = columns().size();
     for (int first = 0; first < rows.size(); first += width) {
-      List<Row> ofRange = rows.subList(first, first + width);
-      lines.add(line(ofRange.get(0).range(), ofRange.stream().map(FoundTable::cell).toList()));
+      List<Row> rangeRows = rows.subList(first, first + width);
+      lines.add(line(rangeRows.get(0).range(), rangeRows.stream().map(FoundTable::cell).toList()));
     }
     return lines;
   }

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * One frame of a recording: what is labelled in it, and what the detector found.
+ * The labelled boxes and the detected boxes of one frame.
  *
- * @param labels in the order of the file
- * @param detections in the order of the file
+ * @param labels the labelled boxes, in the order of the file
+ * @param detections the detected boxes, in the order of the file
  */
 record FrameBoxes(List<LabelledBox> labels, List<Box> detections) {
   FrameBoxes() {

@@ -7,10 +7,11 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Which labelled people of a frame a detector found: the assignment of detections to people with
- * the most pairs and, among these, the greatest sum of overlaps, by the Hungarian algorithm.
+ * The labelled people of a frame that a detector found. Detections are assigned to people so that
+ * there are as many pairs as possible and, among these assignments, the sum of overlaps is greatest
+ * (Hungarian algorithm).
  *
- * @param found by label, whether it was found; false for those that do not count
+ * @param found for each label whether it was found; false for those that do not count
  * @param falseAlarms the number of detections that overlap with no label
  */
 record FrameMatch(boolean[] found, int falseAlarms) {

@@ -6,12 +6,13 @@ import org.hificamsim.core.silhouette.CoveredShare;
 import org.hificamsim.profiling.check.Calibration.Size;
 
 /**
- * What shares of a labelled box are hidden, by exact unions of rectangles.
+ * The hidden shares of a labelled box, computed from exact unions of rectangles.
  *
  * @param byPeople the share that people in front of it cover: those whose feet are lower in the
  *     picture
  * @param byBorder the share that is outside the picture
- * @param hidden the share that is not visible by the labels, or else that people or the border hide
+ * @param hidden the share that the labels call invisible; without visibilities, the share that
+ *     people or the border hide
  */
 record HiddenParts(double byPeople, double byBorder, double hidden) {
   /** Returns the shares for one of the labels of a frame. */

@@ -1,7 +1,7 @@
 package org.hificamsim.profiling.boxes;
 
 /**
- * A person, or something that is not to be found, as somebody labelled it.
+ * A labelled person, or a labelled thing that does not count.
  *
  * @param person the person's id in the recording; null if the labels have no ids
  * @param visibility the visible share by the labels, in [0, 1]; NaN if they have none

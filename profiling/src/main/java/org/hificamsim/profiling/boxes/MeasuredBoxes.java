@@ -8,8 +8,8 @@ import org.hificamsim.core.InputException;
 /**
  * The labelled people of recordings, each with its height, hidden share, and whether it was found.
  *
- * @param boxes by recording and frame
- * @param recordings in the order given
+ * @param boxes the boxes of people, ordered by recording and frame
+ * @param recordings the counts of the recordings, in the given order
  */
 public record MeasuredBoxes(List<PersonBox> boxes, List<RecordingCounts> recordings) {
   /** The least intersection over union of a person and a detection, unless users choose another. */

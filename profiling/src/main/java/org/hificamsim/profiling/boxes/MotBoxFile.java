@@ -8,8 +8,8 @@ import org.hificamsim.tracks.format.MotFile;
 
 /**
  * MOTChallenge's format: {@code frame,id,left,top,width,height[,conf[,...]]}. In labels a
- * confidence of 0 marks what is not to be found, and with nine columns (MOT16 and later) so does
- * another class than that of pedestrians; in detections it is the score.
+ * confidence of 0 marks a box that does not count, and with nine columns (MOT16 and later) so does
+ * another class than that of pedestrians; in detections the confidence is the score.
  */
 final class MotBoxFile implements BoxFile {
   private static final String PEDESTRIAN = "1";

@@ -1,10 +1,10 @@
 package org.hificamsim.profiling.boxes;
 
 /**
- * What a recording has.
+ * The counts of one recording.
  *
  * @param boxes the number of labelled boxes that count
- * @param people the number of different people; of frames, if labels have no ids
+ * @param people the number of different people; the number of frames if labels have no ids
  * @param frames the number of frames
  * @param found the share of the boxes that was found
  * @param falseAlarms the number of detections that overlap with no label

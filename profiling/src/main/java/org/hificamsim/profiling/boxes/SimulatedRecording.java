@@ -41,7 +41,7 @@ public final class SimulatedRecording {
    * The size of the simulated picture as a multiple of the real one, at the same scale: whoever is
    * labelled is in the picture, even if roll and distortion move them across the border.
    */
-  private static final double WIDER = 1.2;
+  private static final double WIDENING = 1.2;
 
   /** A person in a frame. */
   private record Standing(int target, double x, double y, PersonBox box) {}
@@ -58,20 +58,20 @@ public final class SimulatedRecording {
   /**
    * Places the people of one measured recording.
    *
-   * @param file of the labels, for errors
+   * @param file the file of the labels, for error messages
    * @param body the assumed size of people, metres
    */
   public SimulatedRecording(Path file, MeasuredBoxes measured, Calibration camera, Size body) {
     this.camera = camera;
     this.body = body;
-    measured.boxes().forEach(this::place);
+    measured.boxes().forEach(this::addPerson);
     if (frames.isEmpty()) {
       throw InputException.of(
           "%s: nobody stands on the ground before the calibrated camera, expected somebody", file);
     }
   }
 
-  private void place(PersonBox person) {
+  private void addPerson(PersonBox person) {
     Box box = person.box();
     Vector3D foot = camera.ground(box.left() + box.width() / 2, box.bottom());
     double away = foot.subtract(camera.position()).getNorm();
@@ -141,11 +141,11 @@ public final class SimulatedRecording {
 
   private CameraSpec simulatedCamera() {
     Vector3D axis = axis();
-    Vector3D place = camera.position();
+    Vector3D position = camera.position();
     Size picture =
         new Size(
-            Math.rint(WIDER * camera.picture().width()),
-            Math.rint(WIDER * camera.picture().height()));
+            Math.rint(WIDENING * camera.picture().width()),
+            Math.rint(WIDENING * camera.picture().height()));
     double focal = camera.focalLength();
     OpticsSpec optics =
         new OpticsSpec("lens")
@@ -153,10 +153,10 @@ public final class SimulatedRecording {
             .with(OpticsSpec.ANGLES_OF_VIEW, List.of(angle(picture.width(), focal)))
             .with(OpticsSpec.VERTICAL_ANGLES, List.of(angle(picture.height(), focal)))
             .with(OpticsSpec.REACH, REACH);
-    return new CameraSpec("camera", place.getX(), place.getY(), REACH)
+    return new CameraSpec("camera", position.getX(), position.getY(), REACH)
         .with(CameraSpec.HEADING, Math.toDegrees(Math.atan2(axis.getX(), axis.getY())))
         .with(CameraSpec.OPTICS, optics)
-        .with(CameraSpec.Z, place.getZ())
+        .with(CameraSpec.Z, position.getZ())
         .with(
             CameraSpec.TILT,
             Math.toDegrees(-Math.atan2(axis.getZ(), Math.hypot(axis.getX(), axis.getY()))));

@@ -16,16 +16,16 @@ import org.hificamsim.profiling.fit.Reliability;
 /**
  * Chances of boxes that the fit has not seen, since parts of the boxes are left out in turn.
  *
- * @param parts what is left out in turn, for readers
+ * @param parts the plural noun for the parts that are left out, for readers
  * @param boxes all boxes, in the order of the chances
- * @param chances by form, the chance of each box
+ * @param chances for each form the chances of all boxes
  */
 record UnseenChances(String parts, List<PersonBox> boxes, Map<FoundForm, double[]> chances) {
   private static final int TENTHS = 10;
   private static final List<FoundForm> ALL = List.of(FoundForm.values());
 
   /** Leaves out whole recordings, of which there must be two. */
-  static UnseenChances ofRecordings(MeasuredBoxes measured) {
+  static UnseenChances withoutRecordings(MeasuredBoxes measured) {
     return of("recordings", ALL, List.copyOf(byRecording(measured).values()));
   }
 
@@ -33,7 +33,7 @@ record UnseenChances(String parts, List<PersonBox> boxes, Map<FoundForm, double[
    * Leaves out tenths of the people, each from the whole time, to compare forms of the model: what
    * is left is nearly as much as the model is fitted on.
    */
-  static UnseenChances ofTenths(MeasuredBoxes measured) {
+  static UnseenChances withoutTenths(MeasuredBoxes measured) {
     List<List<PersonBox>> people =
         byRecording(measured).values().stream()
             .flatMap(recording -> byPerson(recording).stream())
@@ -52,7 +52,7 @@ record UnseenChances(String parts, List<PersonBox> boxes, Map<FoundForm, double[
    * Leaves out the people of the first half of each recording, and those of the second, by the
    * middle of their time.
    */
-  static UnseenChances ofPeople(MeasuredBoxes measured) {
+  static UnseenChances withoutPeople(MeasuredBoxes measured) {
     List<List<PersonBox>> halves = List.of(new ArrayList<>(), new ArrayList<>());
     for (List<PersonBox> recording : byRecording(measured).values()) {
       List<List<PersonBox>> people = byPerson(recording);

@@ -85,16 +85,16 @@ public record Calibration(
   }
 
   /**
-   * A place in a picture.
+   * A position in a picture.
    *
    * @param u pixels to the right of the picture's left edge
    * @param v pixels down from its upper edge
    */
   record Pixel(double u, double v) {
-    /** The place of a point that the picture does not show. */
+    /** The position of a point that the picture does not show. */
     private static final Pixel NONE = new Pixel(Double.NaN, Double.NaN);
 
-    /** Returns the distance to another place, pixels. */
+    /** Returns the distance to another position, pixels. */
     double distance(Pixel other) {
       return Math.hypot(u - other.u, v - other.v);
     }

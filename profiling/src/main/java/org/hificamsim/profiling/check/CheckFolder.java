@@ -77,22 +77,22 @@ public final class CheckFolder {
     return Texts.format("%." + digits + "f", value);
   }
 
-  /** Adds further files to the folder of a check. */
+  /** Writes files next to those of a check. */
   @FunctionalInterface
-  public interface More {
+  public interface FurtherFiles {
     /** Writes the files, without committing them. */
     void write(OutputFolder folder) throws IOException;
   }
 
   /** Writes the files of a check and further ones, all or none. */
-  public static void write(Path path, RealityCheck check, More more) throws IOException {
+  public static void write(Path path, RealityCheck check, FurtherFiles further) throws IOException {
     try (OutputFolder folder = new OutputFolder(path)) {
       List<ErrorSummary> summaries = new ArrayList<>(check.overall());
       summaries.addAll(check.byDistance());
       folder.write(REALITY, SUMMARIES.csv(summaries));
       folder.write("boxes.csv", boxes(check).csv(check.comparisons()));
       FigureFile.write(folder, PICTURE, figure(check));
-      more.write(folder);
+      further.write(folder);
       folder.commit(FileRecord.of(path).names());
     }
   }

@@ -15,9 +15,9 @@ import org.hificamsim.tracks.format.MotFile;
  */
 public final class MotSightings {
   /**
-   * A target in the picture: its box, and its place on the ground.
+   * A target's box in the picture, and its position on the ground.
    *
-   * @param foot the place on the ground, metres
+   * @param foot the position on the ground, metres
    */
   public record Sighting(MotFile.Row box, Vector3D foot) {
     Size size() {

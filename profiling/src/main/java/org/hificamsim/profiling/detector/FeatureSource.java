@@ -43,7 +43,7 @@ final class FeatureSource implements ConfidenceSource {
     Map<String, List<DMatch>> matches = new HashMap<>();
     try (Features features = extractor.features(photo.grey())) {
       for (Subject subject : subjects) {
-        Features template = templates.of(subject.object(), detector);
+        Features template = templates.features(subject.object(), detector);
         List<DMatch> found =
             matches.computeIfAbsent(subject.object(), object -> test.matches(template, features));
         Map<String, Double> row = new LinkedHashMap<>();

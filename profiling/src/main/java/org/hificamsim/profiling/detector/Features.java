@@ -6,11 +6,11 @@ import org.opencv.core.Mat;
 /**
  * The features of one picture.
  *
- * @param points where they are
+ * @param points the position, size and direction of each feature
  * @param descriptors one row each, in the same order; 8-bit or 32-bit float
  */
 public record Features(KeyPoint[] points, Mat descriptors) implements AutoCloseable {
-  /** How many there are. */
+  /** Returns the number of features. */
   public int count() {
     return points.length;
   }

@@ -24,7 +24,7 @@ public enum MatchReading {
   private static final int POINTS_OF_A_HOMOGRAPHY = 4;
 
   /**
-   * The largest distance of an inlier from its place under the homography, pixels; OpenCV's
+   * The largest distance of an inlier from its position under the homography, pixels; OpenCV's
    * default.
    */
   private static final double MAX_INLIER_DISTANCE = 3;
@@ -53,7 +53,7 @@ public enum MatchReading {
       case LOCATED ->
           matches.stream()
               .map(match -> photo.points()[match.trainIdx].pt)
-              .filter(place -> patch.contains(place.x, place.y))
+              .filter(point -> patch.contains(point.x, point.y))
               .count();
       case RANSAC ->
           matches.size() < POINTS_OF_A_HOMOGRAPHY ? 0 : inliers(template, photo, matches);

@@ -52,7 +52,7 @@ public final class Templates implements AutoCloseable {
   }
 
   /** Returns the features that a detector finds in an object's template. */
-  public Features of(String object, FeatureDetector detector) {
+  public Features features(String object, FeatureDetector detector) {
     return objects.get(object).get(detector);
   }
 

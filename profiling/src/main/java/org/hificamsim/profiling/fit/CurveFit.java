@@ -22,7 +22,7 @@ final class CurveFit {
   /** A curve with parameters. */
   interface Curve {
     /** Returns the value at x and sets {@code gradient} to the derivative by each parameter. */
-    double at(double x, double[] parameters, double[] gradient);
+    double value(double x, double[] parameters, double[] gradient);
   }
 
   private final Curve curve;
@@ -76,7 +76,7 @@ final class CurveFit {
     double[] values = new double[x.length];
     double[][] slopes = new double[x.length][free.length];
     for (int i = 0; i < x.length; i++) {
-      values[i] = curve.at(x[i], parameters, slopes[i]);
+      values[i] = curve.value(x[i], parameters, slopes[i]);
       for (int k = 0; k < free.length; k++) {
         slopes[i][k] *= bounds.get(k) == null ? 1 : bounds.get(k).slope(free[k]);
       }
@@ -88,7 +88,7 @@ final class CurveFit {
     double[] gradient = new double[parameters.length];
     double sum = 0;
     for (int i = 0; i < x.length; i++) {
-      double error = y[i] - curve.at(x[i], parameters, gradient);
+      double error = y[i] - curve.value(x[i], parameters, gradient);
       sum += error * error;
     }
     return sum;

@@ -27,7 +27,8 @@ public record DetectorFit(
    * @param objects the rows of each object
    * @param unseen the groups that are left out: objects, or folds if there is one object
    * @param x the PIP of each row
-   * @param unseenX for each group the PIP of each row, predicted by an f fitted without the group
+   * @param unseenX for each group, the PIP of each row as predicted by an f fitted without the
+   *     group
    */
   static DetectorFit of(
       FitSettings settings,
@@ -52,7 +53,7 @@ public record DetectorFit(
         shapes,
         chosen,
         ObjectScatter.of(MathArrays.ebeSubtract(y, fitted), objects),
-        ScatterFit.both(chosen, y, unseen),
+        ScatterFit.constantAndGrowing(chosen, y, unseen),
         RisingSlope.of(x, y, objects, settings.seed()));
   }
 
@@ -63,7 +64,7 @@ public record DetectorFit(
   /**
    * Returns the scatter that models use, the one of least log loss; the constant one wins a tie.
    */
-  public ScatterFit drawnFrom() {
+  public ScatterFit chosenScatter() {
     return scatters.stream()
         .min(Comparator.comparingDouble(fit -> fit.calibration().logLoss()))
         .orElseThrow();
@@ -75,8 +76,8 @@ public record DetectorFit(
   }
 
   /**
-   * How residuals scatter between objects and within one: a random effect of the object, by the
-   * moments of a one-way analysis of variance.
+   * The scatter of residuals between objects and within one. The object is a random effect,
+   * estimated by the moments of a one-way analysis of variance.
    *
    * @param between the standard deviation of the objects' offsets; 0 if there is only one object
    * @param within the standard deviation of an object's residuals about its offset
@@ -91,7 +92,7 @@ public record DetectorFit(
       double betweenSquares = 0;
       double sumOfSquaredSizes = 0;
       for (int[] object : objects.rows()) {
-        double[] objectResiduals = Groups.at(object, residuals);
+        double[] objectResiduals = Groups.select(object, residuals);
         double mean = mean(objectResiduals);
         withinSquares += Arrays.stream(objectResiduals).map(r -> (r - mean) * (r - mean)).sum();
         betweenSquares += objectResiduals.length * (mean - overallMean) * (mean - overallMean);

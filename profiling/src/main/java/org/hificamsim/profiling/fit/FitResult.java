@@ -49,24 +49,24 @@ public record FitResult(
   }
 
   /** Returns the g of a detector on a predictor. */
-  public DetectorFit model(String detector, String on) {
-    return models.get(detector).get(on);
+  public DetectorFit model(String detector, String predictor) {
+    return models.get(detector).get(predictor);
   }
 
   /** Returns the g of the thesis, a line, on an f, {@link #GROUND_TRUTH} or {@link #CAMSIM}. */
-  public LineFit line(String detector, String on) {
-    return LineFit.of(predictor(on), confidences(detector));
+  public LineFit line(String detector, String predictor) {
+    return LineFit.of(predictor(predictor), confidences(detector));
   }
 
   /**
    * Returns the values that a g is fitted on: PIP of an f, {@link #GROUND_TRUTH} or {@link
    * #CAMSIM}.
    */
-  public double[] predictor(String on) {
-    return switch (on) {
+  public double[] predictor(String predictor) {
+    return switch (predictor) {
       case GROUND_TRUTH -> measuredPip();
       case CAMSIM -> camSimConfidence();
-      default -> predictedPip(on);
+      default -> predictedPip(predictor);
     };
   }
 

@@ -20,9 +20,9 @@ import org.hificamsim.profiling.measure.Measurement;
 /**
  * A combination of a detector, an f and a g, which can be written as a model file.
  *
- * @param on the predictor of g: the name of f or {@link FitResult#GROUND_TRUTH}
+ * @param predictor the predictor of g: the name of f or {@link FitResult#GROUND_TRUTH}
  */
-public record FittedModel(FitResult result, String detector, FeatureResult f, String on) {
+public record FittedModel(FitResult result, String detector, FeatureResult f, String predictor) {
   /** The folder of model files in the folder of a data set. */
   public static final String FOLDER = "models";
 
@@ -39,7 +39,7 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
         .flatMap(
             f ->
                 Stream.of(f.name(), FitResult.GROUND_TRUTH)
-                    .map(on -> new FittedModel(result, detector, f, on)))
+                    .map(predictor -> new FittedModel(result, detector, f, predictor)))
         .toList();
   }
 
@@ -73,7 +73,7 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
 
   /** Returns its fit of g. */
   public DetectorFit fit() {
-    return result.model(detector, on);
+    return result.model(detector, predictor);
   }
 
   /** Returns the chosen shape of g. */
@@ -83,7 +83,7 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
 
   /** Whether g was fitted on measured PIP instead of f's predictions. */
   public boolean onMeasuredPip() {
-    return on.equals(FitResult.GROUND_TRUTH);
+    return predictor.equals(FitResult.GROUND_TRUTH);
   }
 
   /** Returns the model; its name starts with the prefix and a colon. */
@@ -95,7 +95,7 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
         g,
         new Optics(result.camera().sensorWidth(), fittedOn().focalLength().most()),
         result.thresholds().getOrDefault(detector, PublishedModels.published().threshold(g)),
-        Optional.of(fit().drawnFrom().residuals())
+        Optional.of(fit().chosenScatter().residuals())
             .filter(residuals -> residuals.least() > MIN_SCATTER),
         Optional.of(fittedOn()),
         provenance());

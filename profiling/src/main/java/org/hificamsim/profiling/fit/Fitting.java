@@ -51,7 +51,7 @@ public final class Fitting {
     Map<String, Map<String, DetectorFit>> models = new LinkedHashMap<>();
     for (String detector : result.detectors()) {
       List<DetectorFit> fits =
-          Parallel.map(names, threads, on -> model(result, objects, detector, on));
+          Parallel.map(names, threads, predictor -> model(result, objects, detector, predictor));
       Map<String, DetectorFit> byName = new LinkedHashMap<>();
       for (int i = 0; i < fits.size(); i++) {
         byName.put(names.get(i), fits.get(i));
@@ -61,12 +61,12 @@ public final class Fitting {
     return models;
   }
 
-  private DetectorFit model(FitResult result, Groups objects, String detector, String on) {
-    double[] x = result.predictor(on);
+  private DetectorFit model(FitResult result, Groups objects, String detector, String predictor) {
+    double[] x = result.predictor(predictor);
     List<double[]> unseenX =
-        on.equals(FitResult.GROUND_TRUTH)
+        predictor.equals(FitResult.GROUND_TRUTH)
             ? Collections.nCopies(result.unseen().count(), x)
-            : result.feature(on).unseen().fits().stream().map(result::predictedPip).toList();
+            : result.feature(predictor).unseen().fits().stream().map(result::predictedPip).toList();
     return DetectorFit.of(
         settings, objects, result.unseen(), x, unseenX, result.confidences(detector));
   }

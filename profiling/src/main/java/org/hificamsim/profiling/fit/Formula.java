@@ -16,7 +16,7 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
   int precedence();
 
   /** Returns the value for a row of the predictors q, d, z. */
-  double at(double[] row);
+  double evaluate(double[] row);
 
   /** A number. */
   record Constant(double value) implements Formula {
@@ -34,7 +34,7 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
     }
 
     @Override
-    public double at(double[] row) {
+    public double evaluate(double[] row) {
       return value;
     }
   }
@@ -47,7 +47,7 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
     }
 
     @Override
-    public double at(double[] row) {
+    public double evaluate(double[] row) {
       return row[column];
     }
   }
@@ -61,7 +61,7 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
       }
       Operation operation = new Operation(sign, left, right);
       if (left instanceof Constant && right instanceof Constant) {
-        double value = operation.at(new double[0]);
+        double value = operation.evaluate(new double[0]);
         return Double.isFinite(value) ? new Constant(value) : operation;
       }
       if (sign == '*'
@@ -89,9 +89,9 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
     }
 
     @Override
-    public double at(double[] row) {
-      double a = left.at(row);
-      double b = right.at(row);
+    public double evaluate(double[] row) {
+      double a = left.evaluate(row);
+      double b = right.evaluate(row);
       return switch (sign) {
         case '+' -> a + b;
         case '-' -> a - b;

@@ -67,13 +67,13 @@ public record Groups(String unit, List<int[]> rows) {
   /** Returns for each group the items outside it; empty if there is only one group. */
   <T> List<List<T>> withoutEach(List<T> items) {
     return IntStream.range(0, count() > 1 ? count() : 0)
-        .mapToObj(group -> at(others(group), items))
+        .mapToObj(group -> select(others(group), items))
         .toList();
   }
 
   /** Computes a value for a row and the group that it is in. */
   interface RowValue {
-    double of(int group, int row);
+    double compute(int group, int row);
   }
 
   /** Returns a value for each row. */
@@ -81,7 +81,7 @@ public record Groups(String unit, List<int[]> rows) {
     double[] values = new double[size()];
     for (int group = 0; group < count(); group++) {
       for (int row : rows.get(group)) {
-        values[row] = value.of(group, row);
+        values[row] = value.compute(group, row);
       }
     }
     return values;
@@ -90,17 +90,17 @@ public record Groups(String unit, List<int[]> rows) {
   /** Returns the scores of the predictions in each group. */
   List<FitScores> scores(double[] observed, double[] predicted) {
     return rows.stream()
-        .map(group -> FitScores.of(at(group, observed), at(group, predicted)))
+        .map(group -> FitScores.of(select(group, observed), select(group, predicted)))
         .toList();
   }
 
   /** Returns the elements of an array at some rows. */
-  static double[] at(int[] rows, double[] values) {
+  static double[] select(int[] rows, double[] values) {
     return IntStream.of(rows).mapToDouble(row -> values[row]).toArray();
   }
 
   /** Returns the elements of a list at some rows. */
-  static <T> List<T> at(int[] rows, List<T> values) {
+  static <T> List<T> select(int[] rows, List<T> values) {
     return IntStream.of(rows).mapToObj(values::get).toList();
   }
 

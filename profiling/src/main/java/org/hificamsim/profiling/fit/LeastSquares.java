@@ -28,8 +28,8 @@ public final class LeastSquares {
       throw undetermined(y.length, names, null);
     }
     double[][] columns =
-        Arrays.stream(x).map(row -> Groups.at(varying, row)).toArray(double[][]::new);
-    List<Coefficient> found = regression(columns, y, Groups.at(varying, names), names);
+        Arrays.stream(x).map(row -> Groups.select(varying, row)).toArray(double[][]::new);
+    List<Coefficient> found = regression(columns, y, Groups.select(varying, names), names);
     List<Coefficient> all = new ArrayList<>();
     names.forEach(name -> all.add(Coefficient.withoutError(name, 0)));
     all.add(0, found.get(0));

@@ -7,12 +7,12 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.util.MathArrays;
 
 /**
- * Selects the simplest of several fits that is as good as the best: its mean error over the groups
- * lies within one standard error of the best one (Breiman et al. 1984).
+ * The rule of one standard error (Breiman et al. 1984): a fit is as good as the best one if its
+ * mean error over the groups lies within one standard error of the best mean error.
  *
- * <p>The standard error is that of the difference between the two fits over the groups. Objects
- * differ more than fits do, so that with the standard error of the error itself a line would always
- * pass.
+ * <p>The standard error is that of the difference between the two fits over the groups. Since
+ * errors vary more between objects than between fits, the standard error of a mean error would let
+ * a line pass always.
  */
 public final class OneStandardError {
   private OneStandardError() {}
@@ -38,7 +38,12 @@ public final class OneStandardError {
         .orElseThrow();
   }
 
-  /** Whether a fit is as good as another one, whose errors in the same groups are given. */
+  /**
+   * Whether a fit is as good as the best one.
+   *
+   * @param errors the errors of the fit in each group
+   * @param best the errors of the best fit in the same groups
+   */
   public static boolean isAsGood(double[] errors, double[] best) {
     double[] differences = MathArrays.ebeSubtract(errors, best);
     return StatUtils.mean(differences)

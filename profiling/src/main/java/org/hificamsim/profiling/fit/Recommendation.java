@@ -47,7 +47,13 @@ public record Recommendation(
     return model
         .map(
             recommended ->
-                "Take " + recommended.name() + ": " + explains() + ", " + why(recommended) + ".")
+                "Take "
+                    + recommended.name()
+                    + ": "
+                    + explainedShare()
+                    + ", "
+                    + why(recommended)
+                    + ".")
         .orElse(
             Texts.format(
                 "No model of %s is one: its confidence does not surely rise with the share of"
@@ -55,7 +61,7 @@ public record Recommendation(
                 detector));
   }
 
-  private String explains() {
+  private String explainedShare() {
     return Texts.format(
         "on %s that it has not seen it explains %.0f%% of the confidence (R2 %.3f)",
         result.unseen().unit().equals("object") ? "objects" : "photos",

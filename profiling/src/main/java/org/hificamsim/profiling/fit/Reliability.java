@@ -6,13 +6,16 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * How well predicted chances of a detection match unseen photos.
+ * Predicted chances of a detection, and whether each of these unseen photos was detected.
  *
  * @param chances the predicted chance of each photo, in [0, 1]
  * @param detected 1 for a photo whose measured confidence reaches the threshold, else 0
  */
 public record Reliability(double[] chances, double[] detected) {
-  /** Chances are kept this far from 0 and 1, so that no photo makes the loss infinite. */
+  /**
+   * The least distance of a chance from 0 and from 1 in the loss, so that no photo makes it
+   * infinite.
+   */
   private static final double MIN_CHANCE = 1e-3;
 
   private static final int FIFTHS = 5;
@@ -45,10 +48,10 @@ public record Reliability(double[] chances, double[] detected) {
             .toArray();
     return IntStream.range(0, FIFTHS)
         .mapToObj(
-            k ->
+            fifth ->
                 part(
                     Arrays.copyOfRange(
-                        order, k * order.length / FIFTHS, (k + 1) * order.length / FIFTHS)))
+                        order, fifth * order.length / FIFTHS, (fifth + 1) * order.length / FIFTHS)))
         .toList();
   }
 
@@ -66,8 +69,8 @@ public record Reliability(double[] chances, double[] detected) {
   private Part part(int[] rows) {
     return new Part(
         rows.length,
-        Arrays.stream(Groups.at(rows, chances)).average().orElse(Double.NaN),
-        Arrays.stream(Groups.at(rows, detected)).average().orElse(Double.NaN));
+        Arrays.stream(Groups.select(rows, chances)).average().orElse(Double.NaN),
+        Arrays.stream(Groups.select(rows, detected)).average().orElse(Double.NaN));
   }
 
   /** Returns the mean negative logarithm of the chance of the outcome. */

@@ -22,12 +22,12 @@ public record RisingSlope(double slope, double low, double high, boolean signifi
   private static final int DRAWS = 2000;
   private static final double LOWER = 2.5;
   private static final double UPPER = 97.5;
-  private static final double SMALLEST = 1e-12;
+  private static final double LEAST_PIP = 1e-12;
 
   /** Computes the slope of a detector on PIP. */
   static RisingSlope of(double[] pip, double[] confidence, Groups objects, long seed) {
     double[] logarithms =
-        Arrays.stream(pip).map(p -> StrictMath.log10(Math.max(SMALLEST, p))).toArray();
+        Arrays.stream(pip).map(p -> StrictMath.log10(Math.max(LEAST_PIP, p))).toArray();
     RisingSlope onValues = onValues(pip, confidence, objects, seed);
     boolean significant =
         onValues.significant || onValues(logarithms, confidence, objects, seed).significant;
@@ -56,7 +56,7 @@ public record RisingSlope(double slope, double low, double high, boolean signifi
             draw -> {
               SimpleRegression sample = new SimpleRegression();
               objectRegressions.forEach(
-                  replaced ->
+                  unused ->
                       sample.append(
                           objectRegressions.get(random.nextInt(objectRegressions.size()))));
               return sample.getSlope();

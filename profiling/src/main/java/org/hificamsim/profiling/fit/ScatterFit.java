@@ -33,7 +33,7 @@ public record ScatterFit(String name, Residuals residuals, Reliability calibrati
   private static final double TOLERANCE = 1e-9;
   private static final int MAX_STEPS = 200;
 
-  /** Fits residuals to the errors and to how far g lies above its value at a PIP of 0. */
+  /** Fits residuals to errors, and to gains: how far g lies above its value at a PIP of 0. */
   private interface Method {
     Residuals fit(double[] gains, double[] errors);
   }
@@ -42,26 +42,26 @@ public record ScatterFit(String name, Residuals residuals, Reliability calibrati
    * Fits both kinds: a constant standard deviation, the root mean squared error, and one that grows
    * with the confidence, by maximum likelihood.
    */
-  static List<ScatterFit> both(ShapeFit g, double[] y, Groups groups) {
+  static List<ScatterFit> constantAndGrowing(ShapeFit g, double[] y, Groups groups) {
     double[] gains =
         groups.forEachRow(
             (group, row) -> Math.max(0, g.predicted()[row] - g.fits().get(group).confidence(0)));
     double[] errors = MathArrays.ebeSubtract(y, g.predicted());
     Map<String, Method> kinds = new LinkedHashMap<>();
-    kinds.put("constant", (unusedGains, fitErrors) -> Residuals.of(rms(fitErrors)));
+    kinds.put("constant", (unusedGains, fitErrors) -> Residuals.of(rootMeanSquare(fitErrors)));
     kinds.put("growing", ScatterFit::mostLikely);
-    List<ScatterFit> both = new ArrayList<>();
+    List<ScatterFit> fits = new ArrayList<>();
     kinds.forEach(
         (name, method) -> {
           List<Residuals> unseen =
               IntStream.range(0, groups.count())
                   .mapToObj(groups::others)
-                  .map(rows -> method.fit(Groups.at(rows, gains), Groups.at(rows, errors)))
+                  .map(rows -> method.fit(Groups.select(rows, gains), Groups.select(rows, errors)))
                   .toList();
-          both.add(
+          fits.add(
               new ScatterFit(name, method.fit(gains, errors), calibration(g, y, groups, unseen)));
         });
-    return both;
+    return fits;
   }
 
   private static Reliability calibration(
@@ -85,23 +85,26 @@ public record ScatterFit(String name, Residuals residuals, Reliability calibrati
    */
   private static Residuals mostLikely(double[] gains, double[] errors) {
     double step = StrictMath.log(MOST_RATIO / LEAST_RATIO) / RATIOS;
-    DoubleUnaryOperator loss = log -> loss(StrictMath.exp(log), gains, errors);
-    double best =
+    DoubleUnaryOperator loss = logRatio -> loss(StrictMath.exp(logRatio), gains, errors);
+    double bestLogRatio =
         IntStream.rangeClosed(0, RATIOS)
             .mapToObj(i -> StrictMath.log(LEAST_RATIO) + i * step)
             .min(Comparator.comparingDouble(loss::applyAsDouble))
             .orElseThrow();
-    double found =
+    double refinedLogRatio =
         new BrentOptimizer(TOLERANCE, TOLERANCE)
             .optimize(
                 new UnivariateObjectiveFunction(loss::applyAsDouble),
                 GoalType.MINIMIZE,
-                new SearchInterval(best - step, best + step, best),
+                new SearchInterval(bestLogRatio - step, bestLogRatio + step, bestLogRatio),
                 new MaxEval(MAX_STEPS))
             .getPoint();
-    double ratio = loss.applyAsDouble(found) < loss(0, gains, errors) ? StrictMath.exp(found) : 0;
-    double least = rms(scaledErrors(ratio, gains, errors));
-    return new Residuals(rms(errors), least, ratio * least);
+    double ratio =
+        loss.applyAsDouble(refinedLogRatio) < loss(0, gains, errors)
+            ? StrictMath.exp(refinedLogRatio)
+            : 0;
+    double least = rootMeanSquare(scaledErrors(ratio, gains, errors));
+    return new Residuals(rootMeanSquare(errors), least, ratio * least);
   }
 
   /** Returns the mean negative log-likelihood of a photo, up to a constant. */
@@ -110,7 +113,7 @@ public record ScatterFit(String name, Residuals residuals, Reliability calibrati
     for (double gain : gains) {
       logs += StrictMath.log(1 + ratio * gain);
     }
-    return logs / gains.length + StrictMath.log(rms(scaledErrors(ratio, gains, errors)));
+    return logs / gains.length + StrictMath.log(rootMeanSquare(scaledErrors(ratio, gains, errors)));
   }
 
   private static double[] scaledErrors(double ratio, double[] gains, double[] errors) {
@@ -119,7 +122,7 @@ public record ScatterFit(String name, Residuals residuals, Reliability calibrati
         .toArray();
   }
 
-  private static double rms(double[] errors) {
+  private static double rootMeanSquare(double[] errors) {
     double sum = 0;
     for (double error : errors) {
       sum += error * error;

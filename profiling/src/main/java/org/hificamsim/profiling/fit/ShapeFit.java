@@ -38,7 +38,8 @@ public record ShapeFit(
             .mapToObj(
                 group -> {
                   int[] others = groups.others(group);
-                  return shape.fit(Groups.at(others, unseenX.get(group)), Groups.at(others, y));
+                  return shape.fit(
+                      Groups.select(others, unseenX.get(group)), Groups.select(others, y));
                 })
             .toList();
     double[] predicted =

@@ -28,9 +28,9 @@ final class SupportVectors {
   private SupportVectors() {}
 
   /**
-   * Returns the regression with a linear kernel on q, d and z in metres, which the magnitude of the
-   * coefficients of Eq 4.11 suggests. Regularisation then affects z most, since its values are
-   * small.
+   * Returns the regression with a linear kernel on q, d and z in metres: the coefficients of Eq
+   * 4.11 have magnitudes that fit unscaled variables. Regularisation affects z most, since its
+   * values are small.
    */
   static FeatureRegression linear(SupportVectorSettings settings) {
     return new FeatureRegression("svr-lin", photos -> line(photos, settings));

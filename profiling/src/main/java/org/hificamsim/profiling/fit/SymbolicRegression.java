@@ -39,7 +39,7 @@ public record SymbolicRegression(SymbolicSettings settings) {
   private static final int TOURNAMENT = 10;
   private static final double CROSSOVER = 0.9;
   private static final double MUTATION = 0.01;
-  private static final int JUDGING_FOLDS = 5;
+  private static final int VALIDATION_FOLDS = 5;
   private static final long SEED_STRIDE = 1_000_003;
 
   private static final ISeq<Op<Double>> OPERATIONS =
@@ -56,7 +56,7 @@ public record SymbolicRegression(SymbolicSettings settings) {
   }
 
   /**
-   * Returns the program of the only run, or, of several, the one with the least error on unseen
+   * Returns the program of the only run, or the one of several runs with the least error on unseen
    * rows.
    */
   private Formula best(double[][] x, double[] y) {
@@ -67,23 +67,24 @@ public record SymbolicRegression(SymbolicSettings settings) {
     if (seeds.length == 1) {
       return evolve(x, y, seeds[0]);
     }
-    Groups folds = Groups.folds(y.length, JUDGING_FOLDS, settings.seed());
+    Groups folds = Groups.folds(y.length, VALIDATION_FOLDS, settings.seed());
     Formula best = null;
-    double least = Double.POSITIVE_INFINITY;
+    double leastError = Double.POSITIVE_INFINITY;
     for (long seed : seeds) {
       int[] train = folds.others(0);
-      Formula found = evolve(rows(train, x), Groups.at(train, y), seed);
-      double error = error(found, rows(folds.rows().get(0), x), Groups.at(folds.rows().get(0), y));
-      if (best == null || error < least) {
+      Formula found = evolve(rows(train, x), Groups.select(train, y), seed);
+      double error =
+          error(found, rows(folds.rows().get(0), x), Groups.select(folds.rows().get(0), y));
+      if (best == null || error < leastError) {
         best = found;
-        least = error;
+        leastError = error;
       }
     }
     return best;
   }
 
   private static double[][] rows(int[] rows, double[][] x) {
-    return Groups.at(rows, List.of(x)).toArray(double[][]::new);
+    return Groups.select(rows, List.of(x)).toArray(double[][]::new);
   }
 
   private Formula evolve(double[][] x, double[] y, long seed) {
@@ -136,7 +137,7 @@ public record SymbolicRegression(SymbolicSettings settings) {
   private static double error(Formula formula, double[][] x, double[] y) {
     double sum = 0;
     for (int i = 0; i < y.length; i++) {
-      double error = formula.at(x[i]) - y[i];
+      double error = formula.evaluate(x[i]) - y[i];
       sum += error * error;
     }
     return sum / y.length;

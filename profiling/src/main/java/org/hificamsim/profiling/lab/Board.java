@@ -6,7 +6,7 @@ import org.opencv.core.Point;
 /**
  * A flat textured surface in the room.
  *
- * @param texture square, BGR; stretched over the surface
+ * @param texture the picture on the surface, over which it is stretched; square, BGR
  * @param round whether it is an ellipse instead of a rectangle
  * @param x the centre, metres to the right of the optical axis
  * @param y the centre, metres below the optical axis

@@ -5,7 +5,7 @@ package org.hificamsim.profiling.lab;
  *
  * @param focalLength z, metres
  * @param aperture f-number N; 0 for a pinhole, which is sharp everywhere
- * @param focus the distance that is sharp, metres, above the focal length
+ * @param focus the distance at which the image is sharp, metres, above the focal length
  */
 record FocusedLens(double focalLength, double aperture, double focus) {
   private static final double WAVELENGTH = 550e-9;

@@ -6,7 +6,7 @@ import java.util.List;
  * One of the eight objects of the experiment: flat, textured, facing the camera. Their sizes span
  * thesis 3.5's 0.10 to 0.66 m with the mean 0.31 m and standard deviation 0.20 m of Table 4.1.
  *
- * @param name short name in files
+ * @param name the short name in files
  * @param size width, metres
  * @param aspect height over width
  * @param round whether it is an ellipse instead of a rectangle

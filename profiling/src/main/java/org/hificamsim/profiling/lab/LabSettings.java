@@ -9,8 +9,8 @@ import java.util.List;
  *
  * @param seed the seed of all random numbers
  * @param scale image width as a share of the sensor's 5184 pixels, (0, 1]
- * @param focalLengths metres
- * @param distances metres, from the camera to the object's centre
+ * @param focalLengths the focal lengths, metres
+ * @param distances the distances from the camera to the object's centre, metres
  * @param objects the number of objects, of the eight taken from the smallest
  * @param optics the lens and the sensor
  * @param scene the surroundings, pose and lighting of the object
@@ -50,7 +50,7 @@ public record LabSettings(
     distances = List.copyOf(distances);
   }
 
-  /** The objects that are photographed. */
+  /** Returns the objects that are photographed. */
   List<LabObject> photographed() {
     return LabObject.ALL.subList(0, objects);
   }

@@ -61,12 +61,12 @@ public final class Laboratory {
     try (OutputFolder out = new OutputFolder(folder);
         Mats mats = new Mats();
         PhotoSurfaces surfaces = new PhotoSurfaces();
-        Room room = Room.furnished(surfaces, settings.scene().clutter(), random.split())) {
+        Room room = Room.create(surfaces, settings.scene().clutter(), random.split())) {
       Photographer photographer = new Photographer(settings, room, textures(surfaces, mats));
       out.claim(List.of(Dataset.TABLE, Dataset.CAMERA));
       LabFolder files = new LabFolder(out);
       Parallel.map(
-          settings.photographed(), threads, object -> template(files, photographer, object));
+          settings.photographed(), threads, object -> writeTemplate(files, photographer, object));
       List<LabFolder.Row> rows =
           Parallel.map(
               Shot.all(settings),
@@ -89,12 +89,13 @@ public final class Laboratory {
     int side = (int) Math.max(64, 1.2 * Sensor.scaled(settings.scale()).height());
     Map<LabObject, Mat> textures = new LinkedHashMap<>();
     for (LabObject object : settings.photographed()) {
-      textures.put(object, mats.own(surfaces.target(object, side)));
+      textures.put(object, mats.own(surfaces.object(object, side)));
     }
     return textures;
   }
 
-  private static boolean template(LabFolder files, Photographer photographer, LabObject object) {
+  private static boolean writeTemplate(
+      LabFolder files, Photographer photographer, LabObject object) {
     try (Mats mats = new Mats()) {
       files.writeTemplate(object, mats.own(photographer.template(object)));
       return true;
@@ -104,7 +105,7 @@ public final class Laboratory {
   /** Takes a picture and returns its row, or null if its object does not fit the frame. */
   private static LabFolder.Row take(LabFolder files, Photographer photographer, Shot shot) {
     try (Photographer.Photo photo = photographer.take(shot)) {
-      if (Core.countNonZero(photo.mask()) == 0 || !Photographer.within(photo.mask())) {
+      if (Core.countNonZero(photo.mask()) == 0 || !Photographer.isWithinFrame(photo.mask())) {
         return null;
       }
       files.write(shot, photo);
@@ -165,10 +166,10 @@ public final class Laboratory {
     /** Writes the tables and commits all files. */
     void finish(LabSettings settings, Sensor sensor, List<Row> rows, Laboratory.PhotoCount photos) {
       try {
-        json(
+        writeJson(
             Dataset.CAMERA,
             new PhotoCamera(Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height()));
-        json("lab.json", new Rendered(settings, photos));
+        writeJson("lab.json", new Rendered(settings, photos));
         folder.write(Dataset.TABLE, TABLE.csv(rows));
         folder.commit(List.of());
       } catch (IOException e) {
@@ -176,7 +177,7 @@ public final class Laboratory {
       }
     }
 
-    private void json(String name, Object value) throws IOException {
+    private void writeJson(String name, Object value) throws IOException {
       folder.write(name, JSON.writeValueAsString(value) + "\n");
     }
   }
@@ -184,7 +185,7 @@ public final class Laboratory {
   /**
    * A picture to take.
    *
-   * @param index its number from 0, which determines its random seed
+   * @param index the number of the picture from 0, which determines its random seed
    * @param focalLength z, metres
    * @param distance d, metres
    */

@@ -11,7 +11,10 @@ import org.opencv.core.Scalar;
 import org.opencv.core.Size;
 import org.opencv.imgproc.Imgproc;
 
-/** Paints boards onto a canvas: projects, blurs and blends them within the part that they cover. */
+/**
+ * Paints boards onto a canvas. Each is projected, blurred and blended within the part of the canvas
+ * that it covers.
+ */
 final class Layer {
   private static final double GAMMA = 2.2;
   private static final int CORNERS = 4;
@@ -39,14 +42,14 @@ final class Layer {
       double span = span(corners);
       Mat shape = mats.own(shape(board, span));
       Mat colour = mats.own(colour(board.texture(), span));
-      Mat cover = warped(mats, shape, corners, part);
+      Mat coverage = warped(mats, shape, corners, part);
       Mat light = warped(mats, colour, corners, part);
-      Mat cover3 = mats.mat();
-      Imgproc.cvtColor(cover, cover3, Imgproc.COLOR_GRAY2BGR);
-      Core.multiply(light, cover3, light);
+      Mat coverageBgr = mats.mat();
+      Imgproc.cvtColor(coverage, coverageBgr, Imgproc.COLOR_GRAY2BGR);
+      Core.multiply(light, coverageBgr, light);
       LensBlur.apply(light, blur);
-      LensBlur.apply(cover3, blur);
-      blend(mats, light, cover3, mats.own(canvas.submat(part)));
+      LensBlur.apply(coverageBgr, blur);
+      blend(mats, light, coverageBgr, mats.own(canvas.submat(part)));
     }
   }
 
@@ -56,26 +59,27 @@ final class Layer {
     Rect whole = new Rect(0, 0, canvas.cols(), canvas.rows());
     try (Mats mats = new Mats()) {
       Mat shape = mats.own(shape(board, span(corners)));
-      Mat cover = warped(mats, shape, corners, whole);
+      Mat coverage = warped(mats, shape, corners, whole);
       Mat copy = new Mat();
-      cover.copyTo(copy);
+      coverage.copyTo(copy);
       return copy;
     }
   }
 
-  private static void blend(Mats mats, Mat light, Mat cover, Mat onto) {
+  private static void blend(Mats mats, Mat light, Mat coverage, Mat canvasPart) {
     Mat rest = mats.mat();
-    Core.subtract(mats.own(new Mat(cover.size(), cover.type(), Scalar.all(1))), cover, rest);
-    Core.multiply(onto, rest, onto);
-    Core.add(onto, light, onto);
+    Core.subtract(
+        mats.own(new Mat(coverage.size(), coverage.type(), Scalar.all(1))), coverage, rest);
+    Core.multiply(canvasPart, rest, canvasPart);
+    Core.add(canvasPart, light, canvasPart);
   }
 
-  /** Returns the texture in linear light, at no finer resolution than the picture shows. */
+  /** Returns the texture in linear light, reduced to the resolution of the picture. */
   private static Mat colour(Mat texture, double span) {
     try (Mats mats = new Mats()) {
-      Mat seen = fitted(mats, texture, span);
+      Mat resized = fitted(mats, texture, span);
       Mat linear = new Mat();
-      seen.convertTo(linear, CvType.CV_32F, 1.0 / 255);
+      resized.convertTo(linear, CvType.CV_32F, 1.0 / 255);
       Core.pow(linear, GAMMA, linear);
       return linear;
     }
@@ -121,13 +125,14 @@ final class Layer {
     }
     Mat homography =
         mats.own(Imgproc.getPerspectiveTransform(from, mats.own(new MatOfPoint2f(moved))));
-    Mat seen = mats.mat();
+    Mat resized = mats.mat();
     int border = surface.channels() == 1 ? Core.BORDER_CONSTANT : Core.BORDER_REPLICATE;
     Imgproc.warpPerspective(
-        surface, seen, homography, part.size(), Imgproc.INTER_LINEAR, border, new Scalar(0));
-    return seen;
+        surface, resized, homography, part.size(), Imgproc.INTER_LINEAR, border, new Scalar(0));
+    return resized;
   }
 
+  /** Returns the part of the canvas that a blurred board may touch. */
   private Rect part(Point[] corners, double blur) {
     double margin = blur + 2;
     double left = canvas.cols();
@@ -147,6 +152,7 @@ final class Layer {
     return new Rect(x, y, Math.max(0, endX - x), Math.max(0, endY - y));
   }
 
+  /** Returns the length of the board's longest edge on the canvas, pixels. */
   private static double span(Point[] corners) {
     double widest = 0;
     for (int i = 0; i < CORNERS; i++) {

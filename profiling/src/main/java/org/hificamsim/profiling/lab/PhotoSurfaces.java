@@ -16,17 +16,17 @@ import org.opencv.imgcodecs.Imgcodecs;
 import org.opencv.imgproc.Imgproc;
 
 /**
- * Provides textures from photographs, whose sources are listed with them. Each object has its own
- * photograph. Things and the wall show random parts of other photographs, so that the background
- * never contains a part of an object. Textures are square, 8 bits, BGR.
+ * Provides textures from photographs; {@code SOURCES.md} lists their sources. Each object has its
+ * own photograph. Things and the wall show random parts of other photographs, so that the
+ * background never contains a part of an object. Textures are square, 8 bits, BGR.
  */
 final class PhotoSurfaces implements AutoCloseable {
   private static final List<String> BACKGROUNDS =
       List.of("ascent", "brick", "camera", "flower", "grass", "gravel", "retina");
   private static final double TILE_WIDTH = 5.2;
   private static final double TILE_HEIGHT = 4;
-  private static final int HALF_ACROSS = 3;
-  private static final int HALF_DOWN = 2;
+  private static final int TILES_RIGHT = 3;
+  private static final int TILES_DOWN = 2;
   private static final int WALL_PARTS = 24;
   private static final int WALL_SIDE = 512;
 
@@ -38,14 +38,14 @@ final class PhotoSurfaces implements AutoCloseable {
   }
 
   /** Returns the texture of an object; the caller releases it. */
-  Mat target(LabObject object, int side) {
+  Mat object(LabObject shown, int side) {
     try (Mats whole = new Mats()) {
-      return resized(whole.own(read("targets/" + object.photo())), side);
+      return resized(whole.own(read("targets/" + shown.photo())), side);
     }
   }
 
   /** Returns the texture of a thing in the room; the caller releases it. */
-  Mat thing(int index, int side, RandomGenerator random) {
+  Mat thingTexture(int index, int side, RandomGenerator random) {
     return part(backgrounds.get(index % backgrounds.size()), side, random);
   }
 
@@ -56,11 +56,11 @@ final class PhotoSurfaces implements AutoCloseable {
   List<Board> wall(double distance, RandomGenerator random) {
     List<Mat> parts = new ArrayList<>();
     for (int i = 0; i < WALL_PARTS; i++) {
-      parts.add(mats.own(thing(i, WALL_SIDE, random)));
+      parts.add(mats.own(thingTexture(i, WALL_SIDE, random)));
     }
     List<Board> tiles = new ArrayList<>();
-    for (int down = -HALF_DOWN; down <= HALF_DOWN; down++) {
-      for (int across = -HALF_ACROSS; across <= HALF_ACROSS; across++) {
+    for (int down = -TILES_DOWN; down <= TILES_DOWN; down++) {
+      for (int across = -TILES_RIGHT; across <= TILES_RIGHT; across++) {
         Mat part = parts.get(random.nextInt(WALL_PARTS));
         tiles.add(tile(part, across * TILE_WIDTH, down * TILE_HEIGHT, distance));
       }

@@ -53,7 +53,7 @@ final class Photographer {
     FocusedLens lens =
         new FocusedLens(
             shot.focalLength(), settings.optics().aperture(), shot.distance() * (1 + error));
-    Board board = placed(shot, camera, random);
+    Board board = placedBoard(shot, camera, random);
     double gain = 1 + settings.scene().lighting() * clamped(random.nextGaussian());
     try (Mats mats = new Mats()) {
       Mat canvas = mats.own(new Mat(camera.canvas(), CvType.CV_32FC3));
@@ -65,7 +65,7 @@ final class Photographer {
       }
       layer.paint(board, blur(lens, camera, shot.distance()));
       Mat mask = mask(mats.own(layer.silhouette(board)), camera);
-      return new Photo(exposed(canvas, camera, lens, gain, random), mask);
+      return new Photo(exposure(canvas, camera, lens, gain, random), mask);
     }
   }
 
@@ -95,20 +95,20 @@ final class Photographer {
       Layer layer = new Layer(canvas, camera);
       layer.paint(board, 0);
       Mat mask = mats.own(mask(mats.own(layer.silhouette(board)), camera));
-      Mat picture = mats.own(exposed(canvas, camera, lens, 1, random));
+      Mat picture = mats.own(exposure(canvas, camera, lens, 1, random));
       return picture.submat(Imgproc.boundingRect(mask)).clone();
     }
   }
 
   private Pinhole camera(double focalLength) {
-    double bend = RadialDistortion.MAX * settings.optics().distortion();
-    int margin = (int) Math.ceil(bend * Math.max(sensor.width(), sensor.height())) + 2;
+    double largestShift = RadialDistortion.MAX * settings.optics().distortion();
+    int margin = (int) Math.ceil(largestShift * Math.max(sensor.width(), sensor.height())) + 2;
     return new Pinhole(
         focalLength, Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height(), margin);
   }
 
   private RadialDistortion distortion(Pinhole camera) {
-    return RadialDistortion.at(camera.focalLength(), settings.optics().distortion());
+    return RadialDistortion.typical(camera.focalLength(), settings.optics().distortion());
   }
 
   private static double blur(FocusedLens lens, Pinhole camera, double distance) {
@@ -116,10 +116,11 @@ final class Photographer {
   }
 
   /** Places the object near the middle, but always within the frame. */
-  private Board placed(Shot shot, Pinhole camera, RandomGenerator random) {
+  private Board placedBoard(Shot shot, Pinhole camera, RandomGenerator random) {
     LabObject object = shot.object();
     double pixels = camera.magnification(shot.distance());
-    Board.Pose pose = new Board.Pose(turned(1, random), turned(1, random), turned(0.5, random));
+    Board.Pose pose =
+        new Board.Pose(randomAngle(1, random), randomAngle(1, random), randomAngle(0.5, random));
     double x = offset(sensor.width() / pixels, object.size(), random);
     double y = offset(sensor.height() / pixels, object.height(), random);
     return new Board(
@@ -133,13 +134,14 @@ final class Photographer {
         pose);
   }
 
-  private double turned(double share, RandomGenerator random) {
+  /** Returns a random angle in radians, with this share of the pose's standard deviation. */
+  private double randomAngle(double share, RandomGenerator random) {
     return Math.toRadians(settings.scene().pose() * share * clamped(random.nextGaussian()));
   }
 
   private double offset(double frame, double length, RandomGenerator random) {
-    double room = Math.max(0, (frame - length) / 2 * 0.5);
-    return random.nextDouble(-1, 1) * Math.min(settings.scene().offset() * frame, room);
+    double free = Math.max(0, (frame - length) / 2 * 0.5);
+    return random.nextDouble(-1, 1) * Math.min(settings.scene().offset() * frame, free);
   }
 
   /** Limits a normal deviate, as a careful experimenter would discard outliers. */
@@ -156,7 +158,7 @@ final class Photographer {
     }
   }
 
-  private Mat exposed(
+  private Mat exposure(
       Mat canvas, Pinhole camera, FocusedLens lens, double gain, RandomGenerator random) {
     try (Mats mats = new Mats()) {
       Mat light = mats.own(distortion(camera).frame(canvas, camera, Imgproc.INTER_CUBIC));
@@ -175,7 +177,7 @@ final class Photographer {
   }
 
   /** Whether the object of a mask lies within the frame: none of the border pixels is set. */
-  static boolean within(Mat mask) {
+  static boolean isWithinFrame(Mat mask) {
     int right = mask.cols() - 1;
     int bottom = mask.rows() - 1;
     try (Mats mats = new Mats()) {

@@ -4,8 +4,8 @@ import org.opencv.core.Point;
 import org.opencv.core.Size;
 
 /**
- * A pinhole camera (thesis 3.3) with a margin around its frame, which lens distortion may move into
- * view.
+ * A pinhole camera (thesis 3.3) with a margin around its frame, since lens distortion may move
+ * parts of the margin into view.
  *
  * @param focalLength z, metres
  * @param width the width of the frame without the margin, pixels

@@ -19,20 +19,18 @@ record RadialDistortion(double k) {
   private static final double BARREL_AT_WIDE = 0.045;
   private static final double PINCUSHION_AT_LONG = -0.012;
 
-  /** The largest outward displacement of {@link #at}, as a share of the half-diagonal. */
+  /** The largest outward displacement of {@link #typical}, as a share of the half-diagonal. */
   static final double MAX = BARREL_AT_WIDE;
 
-  /**
-   * Returns the typical distortion of zoom lenses at this focal length (metres), times {@code
-   * factor}.
-   */
-  static RadialDistortion at(double focalLength, double factor) {
+  /** Returns the typical distortion of zoom lenses at a focal length (metres), times a factor. */
+  static RadialDistortion typical(double focalLength, double factor) {
     double log = StrictMath.log(NEUTRAL / focalLength) / StrictMath.log(NEUTRAL / WIDE);
     double k = log > 0 ? BARREL_AT_WIDE * log : -PINCUSHION_AT_LONG * Math.max(log, -1);
-    return new RadialDistortion(factor * k + 0.0); // turns -0 into 0
+    double positiveZero = 0.0;
+    return new RadialDistortion(factor * k + positiveZero);
   }
 
-  /** Returns the frame as this lens shows the canvas, without the margin. */
+  /** Returns the frame that this lens shows of the canvas, without the margin. */
   Mat frame(Mat canvas, Pinhole camera, int interpolation) {
     int width = camera.width();
     int height = camera.height();
@@ -44,9 +42,9 @@ record RadialDistortion(double k) {
         double down = y + 0.5 - height / 2.0;
         for (int x = 0; x < width; x++) {
           double right = x + 0.5 - width / 2.0;
-          double bent = 1 + k * (right * right + down * down) / halfDiagonalSquared;
-          row[2 * x] = (float) (right * bent + width / 2.0 - 0.5 + camera.margin());
-          row[2 * x + 1] = (float) (down * bent + height / 2.0 - 0.5 + camera.margin());
+          double stretch = 1 + k * (right * right + down * down) / halfDiagonalSquared;
+          row[2 * x] = (float) (right * stretch + width / 2.0 - 0.5 + camera.margin());
+          row[2 * x + 1] = (float) (down * stretch + height / 2.0 - 0.5 + camera.margin());
         }
         map.put(y, 0, row);
       }

@@ -13,7 +13,7 @@ import org.opencv.core.Size;
 import org.opencv.imgproc.Imgproc;
 
 /**
- * The laboratory around the object: a far wall, and things that stand or hang at fixed places in
+ * The laboratory around the object: a far wall, and things that stand or hang at fixed positions in
  * front of it. All pictures show the same room; things in front of the object are left out.
  */
 final class Room implements AutoCloseable {
@@ -31,7 +31,7 @@ final class Room implements AutoCloseable {
   }
 
   /** Creates a room with a number of things; with none, its wall is bare. */
-  static Room furnished(PhotoSurfaces surfaces, int things, RandomGenerator random) {
+  static Room create(PhotoSurfaces surfaces, int things, RandomGenerator random) {
     Backdrop wall = new Backdrop(WALL, random.nextLong());
     List<Board> boards = new ArrayList<>();
     for (int i = 0; i < things; i++) {
@@ -44,9 +44,9 @@ final class Room implements AutoCloseable {
     return new Room(wall, boards);
   }
 
-  /** Creates a thing; every other one hangs on the wall, the rest stand away from the middle. */
+  /** Creates a thing. Things with an even index hang on the wall, the others stand in the room. */
   private static Board thing(PhotoSurfaces surfaces, int index, RandomGenerator random) {
-    Mat texture = surfaces.thing(index, TEXTURE_SIDE, random);
+    Mat texture = surfaces.thingTexture(index, TEXTURE_SIDE, random);
     boolean hangs = index % 2 == 0;
     double distance = hangs ? WALL - 0.05 : random.nextDouble(2, WALL - 0.5);
     double reach = distance * TANGENT_OF_WIDEST_VIEW;
@@ -103,7 +103,9 @@ final class Room implements AutoCloseable {
       }
     }
 
-    /** Adds one octave. Large cells are drawn small, since warping is only exact to 1/32 pixel. */
+    /**
+     * Adds one octave. Large cells are drawn reduced, since warping is only exact to 1/32 pixel.
+     */
     private void add(Mat canvas, double pixels, double strength, int octave) {
       double shrink = Math.min(1, MAX_CELL / pixels);
       Size size =

@@ -17,8 +17,8 @@ import org.hificamsim.profiling.dataset.TableLayout;
  *
  * @param threshold halfway between the highest confidence that must not count and the next
  *     confidence of a photo with the object
- * @param falseAlarms the share of the photos without the object that is at or above it
- * @param recall the share of the photos with the object that is at or above it
+ * @param falseAlarms the share of the photos without the object that reach the threshold
+ * @param recall the share of the photos with the object that reach the threshold
  */
 public record AlarmThreshold(String detector, double threshold, double falseAlarms, double recall) {
   /** The table's file name. */
@@ -34,8 +34,8 @@ public record AlarmThreshold(String detector, double threshold, double falseAlar
   /**
    * Chooses the threshold.
    *
-   * @param without confidences in photos without the object; at least one
-   * @param with confidences in photos with the object
+   * @param without the confidences in photos without the object, at least one
+   * @param with the confidences in photos with the object
    * @param rate the highest rate of false alarms that is allowed, [0, 1)
    */
   static AlarmThreshold of(String detector, List<Double> without, List<Double> with, double rate) {

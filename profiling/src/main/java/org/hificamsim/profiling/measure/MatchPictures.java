@@ -49,7 +49,7 @@ public record MatchPictures(Dataset dataset, MeasureSettings settings) {
 
   private void draw(
       LabelledPhoto sample, FeatureDetector detector, Templates templates, OutputFolder folder) {
-    Features template = templates.of(sample.object(), detector);
+    Features template = templates.features(sample.object(), detector);
     try (Photograph photo = new Photograph(sample.file());
         Photograph closeUp = new Photograph(dataset.templates().get(sample.object()));
         Features features =

@@ -14,7 +14,7 @@ import java.util.Map;
  * @param distance d, metres
  * @param focalLength z, metres
  * @param pip the true share of the image's pixels that the object fills, (0, 1]
- * @param confidences by detector, each in [0, 1] (Eq 5.1)
+ * @param confidences the confidence of each detector, in [0, 1] (Eq 5.1)
  */
 public record Measurement(
     String image,
@@ -50,10 +50,10 @@ public record Measurement(
     return confidences.get(detector);
   }
 
-  /** Returns a copy with one more detector, in last place. */
+  /** Returns a copy with one more detector as the last one. */
   public Measurement with(String detector, double confidence) {
-    Map<String, Double> more = new LinkedHashMap<>(confidences);
-    more.put(detector, confidence);
-    return new Measurement(image, object, size, distance, focalLength, pip, more);
+    Map<String, Double> extended = new LinkedHashMap<>(confidences);
+    extended.put(detector, confidence);
+    return new Measurement(image, object, size, distance, focalLength, pip, extended);
   }
 }

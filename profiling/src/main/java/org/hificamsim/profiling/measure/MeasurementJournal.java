@@ -42,7 +42,7 @@ final class MeasurementJournal implements Closeable {
     out = Files.newBufferedWriter(file, StandardOpenOption.APPEND, LinkOption.NOFOLLOW_LINKS);
   }
 
-  /** Reads an earlier file. An incomplete last line, left by a killed process, is ignored. */
+  /** Reads the rows of an earlier call. A killed process may have left an incomplete last line. */
   private void read() throws IOException {
     if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
       return;
@@ -51,13 +51,13 @@ final class MeasurementJournal implements Closeable {
     new OutputFile(file).write(text.substring(0, text.lastIndexOf('\n') + 1));
     try {
       MeasurementsFile.read(file)
-          .forEach(row -> measured.put(name(row.image(), row.object()), row));
+          .forEach(row -> measured.put(rowKey(row.image(), row.object()), row));
     } catch (InputException e) {
       measured.clear();
     }
   }
 
-  private static String name(String image, String object) {
+  private static String rowKey(String image, String object) {
     return image + '\n' + object;
   }
 
@@ -67,13 +67,13 @@ final class MeasurementJournal implements Closeable {
   }
 
   synchronized Optional<Measurement> get(LabelledPhoto photo) {
-    return Optional.ofNullable(measured.get(name(photo.image(), photo.object())));
+    return Optional.ofNullable(measured.get(rowKey(photo.image(), photo.object())));
   }
 
   /** Adds a row and writes it to the file. */
   synchronized Measurement add(Measurement row) {
     try {
-      measured.put(name(row.image(), row.object()), row);
+      measured.put(rowKey(row.image(), row.object()), row);
       out.write(columns.line(row));
       out.flush();
       return row;

@@ -30,8 +30,8 @@ import org.hificamsim.profiling.opencv.OpenCv;
  * features of the templates. A killed measurement can be resumed (see {@link MeasurementJournal}).
  */
 public final class Measurer {
-  /** The number of places at which a photo without objects is searched for each object. */
-  private static final int PLACES = 8;
+  /** The number of patches in which a photo without objects is searched for each object. */
+  private static final int SEARCHED_PATCHES = 8;
 
   private final Dataset dataset;
   private final MeasureSettings settings;
@@ -63,12 +63,14 @@ public final class Measurer {
    */
   public Outcome measure(int maxThreads, MeasureProgress watcher) {
     OpenCv.load();
-    Memory need = Detectors.memoryNeed(settings.detectors());
-    int threads = Memory.free().threads(maxThreads, dataset.largestPicture(), need);
+    Memory neededMemory = Detectors.memoryNeed(settings.detectors());
+    int threads = Memory.free().threads(maxThreads, dataset.largestPicture(), neededMemory);
     List<FeatureDetector> features = Detectors.features(settings.detectors());
     try (Templates templates = new Templates(dataset.templates(), features, threads)) {
-      idleDetectors.clear(); // sets of an earlier call use its templates
-      idleDetectors.add(detectors(templates)); // rejects an unsuitable network at once
+      // Sets of an earlier call use closed templates.
+      idleDetectors.clear();
+      // Created here to reject an unsuitable network at once.
+      idleDetectors.add(detectors(templates));
       return measure(templates, threads, watcher);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
@@ -180,7 +182,7 @@ public final class Measurer {
       thresholds.add(AlarmThreshold.of(detector, alarms, with, rate));
     }
     AlarmThreshold.write(folder, thresholds);
-    // Places in one photo are not independent, so that only photos and objects count.
+    // Patches of one photo are not independent, so that only photos and objects count.
     int looks = dataset.negatives().size() * dataset.templates().size();
     if (looks * rate >= 1) {
       return List.of();
@@ -196,7 +198,7 @@ public final class Measurer {
 
   /**
    * Returns the confidences in photos without any of the objects. Each photo is searched for each
-   * object, at places and in sizes that the object has in the other photos.
+   * object, in patches that show the object in other photos.
    */
   private List<Map<String, Double>> withoutObjects(
       Templates templates, int threads, MeasureProgress watcher) {
@@ -218,9 +220,9 @@ public final class Measurer {
   private Stream<Subject> subjectsElsewhere(String object) {
     List<LabelledPhoto> photos =
         dataset.samples().stream().filter(photo -> photo.object().equals(object)).toList();
-    int places = Math.min(PLACES, photos.size());
-    return IntStream.range(0, places)
-        .mapToObj(i -> new Subject(object, photos.get(i * photos.size() / places).patch()));
+    int patches = Math.min(SEARCHED_PATCHES, photos.size());
+    return IntStream.range(0, patches)
+        .mapToObj(i -> new Subject(object, photos.get(i * photos.size() / patches).patch()));
   }
 
   /** Receives the progress of a measurement; may be called from any thread. */
@@ -234,11 +236,11 @@ public final class Measurer {
   }
 
   /**
-   * How photos are measured.
+   * The settings of a measurement.
    *
-   * @param detectors their names, in the order of the columns
-   * @param test the test that matches have to pass
-   * @param pip which pixels count as the object
+   * @param detectors the names of the detectors, in the order of the columns
+   * @param test the test that feature matches have to pass
+   * @param pip the pixels that count as the object's
    * @param falseAlarms the allowed share of false alarms in photos without the object, [0, 1)
    */
   public record MeasureSettings(

@@ -6,9 +6,9 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * Computes recall by the object's height in pixels: the share of the photos with an object of about
- * this height in which a detector has found it. Photos are sorted by height and divided into ten
- * groups of equal size, but photos of equal height stay in one group.
+ * Computes recall by the object's height in pixels: the share of the photos in which a detector has
+ * found an object of about this height. Photos are sorted by height and divided into ten groups of
+ * equal size, but photos of equal height stay in one group.
  */
 final class Recall {
   private static final int GROUPS = 10;

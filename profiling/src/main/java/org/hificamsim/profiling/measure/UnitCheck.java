@@ -6,17 +6,20 @@ import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 
 /**
- * Checks that objects are about as large as a pinhole camera would show them. Centimetres instead
- * of metres are off by a factor of 100, an inexact focal length or a loose patch by far less than
- * 4.
+ * Checks that objects are about as large as a pinhole camera would show them. Centimetres in place
+ * of metres give a factor of 100; an inexact focal length or a loose patch gives far less than
+ * {@value #MAX_FACTOR}.
  */
 record UnitCheck(PhotoCamera camera) {
   private static final double MAX_FACTOR = 4;
   private static final int MAX_LINES = 5;
 
-  /** Returns one line if most photos are off, otherwise a line for each of the first that are. */
+  /**
+   * Returns one line if most photos are suspicious, otherwise a line for each of the first ones.
+   */
   List<String> warnings(List<Measurement> rows) {
-    List<Measurement> suspicious = rows.stream().filter(row -> isOff(enlargement(row))).toList();
+    List<Measurement> suspicious =
+        rows.stream().filter(row -> isSuspicious(enlargement(row))).toList();
     if (2 * suspicious.size() > rows.size()) {
       double median =
           rows.stream()
@@ -47,7 +50,7 @@ record UnitCheck(PhotoCamera camera) {
     return Math.sqrt(row.pip() / camera.pinholePip(row.size(), row.distance(), row.focalLength()));
   }
 
-  private static boolean isOff(double enlargement) {
+  private static boolean isSuspicious(double enlargement) {
     return enlargement > MAX_FACTOR || enlargement < 1 / MAX_FACTOR;
   }
 

@@ -53,7 +53,7 @@ public final class OpenCv {
     return Core.VERSION + " (" + origin + ")";
   }
 
-  /** Loads the library. */
+  /** A way to load the library. */
   interface Loader {
     void load() throws Exception;
   }

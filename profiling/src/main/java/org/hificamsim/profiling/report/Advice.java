@@ -8,10 +8,7 @@ import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.report.ModelScores.DetectionAccuracy;
 
-/**
- * Writes the report's text on the data set's own numbers: recommendations, and how to read the
- * tables.
- */
+/** Composes the report's sentences: recommendations, and explanations of its tables. */
 final class Advice {
   private Advice() {}
 
@@ -55,7 +52,7 @@ final class Advice {
             + " what another object has to expect is not known from one.";
   }
 
-  /** Describes how well models decide between detected and not detected. */
+  /** Describes the thresholds that decide between detected and not detected. */
   static String decisions(FitResult result) {
     StringBuilder text =
         new StringBuilder(

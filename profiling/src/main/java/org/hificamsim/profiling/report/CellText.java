@@ -37,7 +37,7 @@ final class CellText {
     return text.isEmpty() ? NONE : text;
   }
 
-  /** Returns your number, followed by the published one in brackets if there is one. */
+  /** Returns the data set's number, followed by the published one in brackets if there is one. */
   static String withPublished(double yours, int digits, Map<String, String> row, String column) {
     String theirs = published(row, column);
     return fixed(yours, digits) + (theirs.equals(NONE) ? "" : " (" + theirs + ")");

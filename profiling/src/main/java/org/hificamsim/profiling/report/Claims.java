@@ -15,7 +15,7 @@ import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.measure.Measurement;
 
-/** The statements of chapters 4 to 6 and 9, judged on a data set; shares are R2. */
+/** The thesis's statements of chapters 4 to 6 and 9, judged on a data set; shares are R2. */
 final class Claims {
   static final String FILE = "verdicts.csv";
 
@@ -47,7 +47,7 @@ final class Claims {
             .filter(detector -> !PublishedTables.groundTruthLine(detector).isEmpty())
             .toList();
     addFeatures();
-    detectors(detectors);
+    addDetectors(detectors);
   }
 
   /** Judges the statements of chapter 4. */
@@ -77,7 +77,7 @@ final class Claims {
   }
 
   /** Judges the statements of chapters 5, 6 and 9. */
-  private void detectors(List<String> detectors) {
+  private void addDetectors(List<String> detectors) {
     for (String detector : detectors) {
       addShare(
           "5.4 to 5.6",
@@ -145,13 +145,13 @@ final class Claims {
   }
 
   /** Returns the R2 of a detector's line on a predictor. */
-  private double r2(String detector, String on) {
-    return result.line(detector, on).r2();
+  private double r2(String detector, String predictor) {
+    return result.line(detector, predictor).r2();
   }
 
   /** Whether a difference from a published share counts as reproduced. */
-  static boolean isReproduced(double distance) {
-    return Math.abs(distance) <= TOLERANCE + ROUNDING;
+  static boolean isReproduced(double difference) {
+    return Math.abs(difference) <= TOLERANCE + ROUNDING;
   }
 
   /** Adds a claim on the value of a share. */
@@ -165,7 +165,7 @@ final class Claims {
             isReproduced(yours - published)));
   }
 
-  /** Adds a claim on an order of names, highest first. */
+  /** Adds a claim on the order of names by their values, highest first. */
   private void addOrder(
       String source,
       String text,

@@ -34,7 +34,7 @@ public final class FitReport {
   private static final String SCATTER_HEADING =
       "# How confidences scatter, and how good the chances are";
 
-  /** Adds a part of the report that depends on the fit. */
+  /** A part of the report that depends on the fit. */
   private interface Part {
     void add() throws IOException;
   }
@@ -44,7 +44,7 @@ public final class FitReport {
   private final HtmlPage page;
   private final ReportFigures figures;
   private final ThesisTables tables;
-  private final OwnTables own;
+  private final OwnTables ownTables;
   private final HeldOut heldOut;
   private final Claims claims;
 
@@ -55,7 +55,7 @@ public final class FitReport {
     this.page = new HtmlPage(title);
     this.figures = new ReportFigures(result);
     this.tables = new ThesisTables(result);
-    this.own = new OwnTables(result);
+    this.ownTables = new OwnTables(result);
     this.claims = new Claims(result);
   }
 
@@ -63,7 +63,7 @@ public final class FitReport {
    * Writes all files of a fit to the folder of its data set, or none. Files of earlier models that
    * are now rejected are deleted.
    *
-   * @param pip how PIP was counted
+   * @param pip the pixels that were counted as the object's
    * @param name the name of the data set
    * @param prefix the prefix of the models' names, before a colon
    * @return the number of models written
@@ -86,7 +86,7 @@ public final class FitReport {
     for (String block : template.split("\n\n")) {
       String text = block.strip().replace('\n', ' ');
       if (text.startsWith("# ")) {
-        leftOut = text.equals(SCATTER_HEADING) && own.recommended().isEmpty();
+        leftOut = text.equals(SCATTER_HEADING) && ownTables.recommended().isEmpty();
       }
       if (!leftOut) {
         add(text, parts);
@@ -114,17 +114,17 @@ public final class FitReport {
   private Map<String, Part> parts() {
     Map<String, Part> parts = new HashMap<>();
     parts.put("headline", () -> page.paragraph(Advice.headline(result)));
-    parts.put("recommendations", () -> own.recommendations(page));
+    parts.put("recommendations", () -> ownTables.recommendations(page));
     parts.put("reasons", () -> Advice.reasons(result).forEach(page::paragraph));
     parts.put("unseen", () -> page.paragraph(Advice.unseen(result)));
-    parts.put("shapes", () -> own.shapes(page));
-    parts.put("slopes", () -> own.slopes(page));
+    parts.put("shapes", () -> ownTables.shapes(page));
+    parts.put("slopes", () -> ownTables.slopes(page));
     parts.put("confidences", this::confidences);
-    parts.put("objects", () -> own.objects(page));
-    parts.put("own features", () -> own.features(page));
-    parts.put("models", () -> own.models(page));
+    parts.put("objects", () -> ownTables.objects(page));
+    parts.put("own features", () -> ownTables.features(page));
+    parts.put("models", () -> ownTables.models(page));
     parts.put("decisions", () -> page.paragraph(Advice.decisions(result)));
-    parts.put("scatters", () -> own.scatters(page));
+    parts.put("scatters", () -> ownTables.scatters(page));
     parts.put("reliability", this::reliability);
     parts.put("claims", () -> ThesisTables.claims(page, claims.all()));
     parts.put("variables", () -> tables.variables(page));
@@ -151,7 +151,7 @@ public final class FitReport {
   private void reliability() throws IOException {
     picture(
         "reliability",
-        ReportFigures.reliability(own.recommended()),
+        ReportFigures.reliability(ownTables.recommended()),
         "Reliability in fifths of the unseen photos: on the line, chances are right.");
   }
 

@@ -19,7 +19,7 @@ import org.hificamsim.profiling.measure.PipReading;
  * give the size of the ball; {@value #BALL} m is the diameter of a football. Its PIP counts the
  * rectangle around the ball; the ball itself is the inscribed disc.
  *
- * @param reading how PIP was counted in the data of the fits, and is counted here
+ * @param reading the pixels that count as the ball's, as in the data of the fits
  */
 record HeldOut(PipReading reading, List<Measurement> photos) {
   /** The diameter of the ball, metres. */

@@ -43,10 +43,12 @@ img { max-width: 100%; background: #fff }
     body.append("<h2 id=\"").append(id).append("\">").append(escaped(text)).append("</h2>\n");
   }
 
+  /** Adds a paragraph of plain text. */
   void paragraph(String text) {
     body.append("<p>").append(escaped(text)).append("</p>\n");
   }
 
+  /** Adds a table with a header. */
   <R> void table(TableLayout<R> layout, List<R> rows) {
     body.append("<div class=\"table\" tabindex=\"0\"><table>\n");
     row("th", layout.names());
@@ -54,7 +56,7 @@ img { max-width: 100%; background: #fff }
     body.append("</table></div>\n");
   }
 
-  /** Adds a picture that is embedded, so that the page is one file. */
+  /** Adds a picture, embedded so that the page is one file. */
   void figure(byte[] png, String caption) {
     body.append("<figure><img src=\"data:image/png;base64,")
         .append(Base64.getEncoder().encodeToString(png))
@@ -65,6 +67,7 @@ img { max-width: 100%; background: #fff }
         .append("</figcaption></figure>\n");
   }
 
+  /** Returns the page as HTML. */
   String text() {
     return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>"

@@ -14,7 +14,7 @@ import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.ShapeFit;
 
 /**
- * How well a model of a detector predicts the confidence for unseen objects.
+ * The quality of a model's predictions of a detector's confidence for unseen objects.
  *
  * @param fit the fit of g; for {@code geometric} it always predicts the mean of the seen
  *     confidences
@@ -26,7 +26,7 @@ record ModelScores(String detector, String model, ShapeFit fit, boolean rejected
       new DetectorShape(
           "mean", (pip, y) -> new DetectorLine(0, Arrays.stream(y).average().orElseThrow()));
 
-  /** Returns the models of one detector: CamSim's, the simplest first, then every f. */
+  /** Returns the scores of a detector's models: CamSim's, the simplest first, then every f. */
   static List<ModelScores> of(FitResult result, String detector) {
     ShapeFit mean = onValues(result, detector, MEAN, result.measuredPip());
     ShapeFit camSim =
@@ -77,7 +77,7 @@ record ModelScores(String detector, String model, ShapeFit fit, boolean rejected
 
     private static DetectionAccuracy byChance(FitResult result, String detector) {
       DetectorFit fit = result.model(detector, FitResult.GROUND_TRUTH);
-      Scatter scatter = fit.drawnFrom().residuals().about(fit.chosen().g());
+      Scatter scatter = fit.chosenScatter().residuals().about(fit.chosen().g());
       return new DetectionAccuracy(scatter.threshold(Chance.DEFAULT_ALPHA));
     }
 

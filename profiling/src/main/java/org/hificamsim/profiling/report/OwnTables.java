@@ -37,7 +37,7 @@ final class OwnTables {
   /** A row of a table: a value of a detector. */
   private record Row<T>(String detector, T value) {}
 
-  /** Adds the recommended models. */
+  /** Adds the table of the recommended models. */
   void recommendations(HtmlPage page) {
     page.table(
         new TableLayout<FittedModel>()
@@ -52,9 +52,9 @@ final class OwnTables {
         recommended());
   }
 
-  /** Adds every shape of g on measured PIP. */
+  /** Adds the table of every shape of g on measured PIP. */
   void shapes(HtmlPage page) {
-    Function<String, Stream<Row<ShapeFit>>> ofDetector =
+    Function<String, Stream<Row<ShapeFit>>> detectorShapes =
         detector ->
             result.model(detector, FitResult.GROUND_TRUTH).shapes().stream()
                 .map(shape -> new Row<>(detector, shape));
@@ -69,14 +69,14 @@ final class OwnTables {
                 "",
                 row -> row.value().equals(onMeasuredPip(row.detector())) ? "on measured PIP" : "")
             .with("curve", row -> row.value().g().equation()),
-        result.detectors().stream().flatMap(ofDetector).toList());
+        result.detectors().stream().flatMap(detectorShapes).toList());
   }
 
   private ShapeFit onMeasuredPip(String detector) {
     return result.model(detector, FitResult.GROUND_TRUTH).chosen();
   }
 
-  /** Adds whether the confidence of each detector rises with PIP. */
+  /** Adds the table of whether each detector's confidence rises with PIP. */
   void slopes(HtmlPage page) {
     page.table(
         new TableLayout<Row<RisingSlope>>()
@@ -99,7 +99,7 @@ final class OwnTables {
     return slope.low() > 0 ? "surely" : "surely with the logarithm";
   }
 
-  /** Adds every f. */
+  /** Adds the table of every f. */
   void features(HtmlPage page) {
     page.table(
         new TableLayout<FeatureResult>()
@@ -117,7 +117,7 @@ final class OwnTables {
     return fixed(validation.map(CrossValidation::r2).orElse(Double.NaN), 3);
   }
 
-  /** Adds every model g(f), after those of CamSim. */
+  /** Adds the table of every model g(f), CamSim's models first. */
   void models(HtmlPage page) {
     List<FittedModel> recommended = recommended();
     page.table(
@@ -143,18 +143,21 @@ final class OwnTables {
     return scores.rejected() ? "refused" : take ? "take" : "";
   }
 
-  /** A row of a table: a scatter of a model, and the reliability of its chances. */
+  /** A scatter of a model, and the reliability of its chances. */
   private record ScatterRow(
       String model, String scatter, Reliability reliability, boolean chosen) {}
 
-  /** Adds the reliability of chances for each kind of scatter of the recommended models. */
+  /**
+   * Adds the table of the reliability of chances, for each kind of scatter of the recommended
+   * models.
+   */
   void scatters(HtmlPage page) {
     List<ScatterRow> rows = new ArrayList<>();
     for (FittedModel model : recommended()) {
       DetectorFit fit = model.fit();
       rows.add(new ScatterRow(model.name(), FORMER_SCATTER, formerReliability(fit), false));
       for (ScatterFit scatter : fit.scatters()) {
-        boolean chosen = scatter.equals(fit.drawnFrom());
+        boolean chosen = scatter.equals(fit.chosenScatter());
         rows.add(new ScatterRow(model.name(), text(scatter), scatter.calibration(), chosen));
       }
     }
@@ -171,6 +174,7 @@ final class OwnTables {
         rows);
   }
 
+  /** Returns the recommended models; detectors without one are left out. */
   List<FittedModel> recommended() {
     return Recommendation.all(result).stream()
         .flatMap(recommendation -> recommendation.model().stream())
@@ -201,7 +205,7 @@ final class OwnTables {
         .accuracy(result.confidences(model.detector()), model.chosen().predicted());
   }
 
-  /** Adds how far the confidences of each object lie above g. */
+  /** Adds the table of how far the confidences of each object lie above g. */
   void objects(HtmlPage page) {
     TableLayout<List<Measurement>> layout =
         new TableLayout<List<Measurement>>()

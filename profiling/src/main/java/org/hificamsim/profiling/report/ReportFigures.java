@@ -42,7 +42,7 @@ final class ReportFigures {
     this.responses = Measurement.responses(result.measurements());
   }
 
-  /** Draws a figure of the thesis from these photos, by its number. */
+  /** Draws a figure of the thesis, by its number, with the data set's photos. */
   Figure figure(String number, String title) {
     double[] pip = result.measuredPip();
     return switch (number) {
@@ -103,7 +103,7 @@ final class ReportFigures {
     double[] ends = ends(x);
     return panel(title, xTitle, yTitle)
         .dots(new Curve(x, y), DOTS)
-        .straight(new Curve(ends, at(ends, line)), Palette.BLUE);
+        .straight(new Curve(ends, valuesAt(ends, line)), Palette.BLUE);
   }
 
   private static XyPanel histogram(Variable variable) {
@@ -122,8 +122,8 @@ final class ReportFigures {
   }
 
   /**
-   * Draws a density with Gaussian kernels and Scott's bandwidth. Smile sorts its argument, so we
-   * pass a copy.
+   * Draws a density with Gaussian kernels and Scott's bandwidth. Smile sorts its argument, hence
+   * the copy.
    */
   private static XyPanel density(String title, double[] values) {
     double width = Math.max(Variable.sd(values) * StrictMath.pow(values.length, -0.2), 1e-9);
@@ -131,7 +131,8 @@ final class ReportFigures {
     double step = (StatUtils.max(values) + 3 * width - from) / (DENSITY_POINTS - 1);
     double[] x = IntStream.range(0, DENSITY_POINTS).mapToDouble(i -> from + i * step).toArray();
     return panel(title, title, "density")
-        .straight(new Curve(x, at(x, new KernelDensity(values.clone(), width)::p)), Palette.BLUE)
+        .straight(
+            new Curve(x, valuesAt(x, new KernelDensity(values.clone(), width)::p)), Palette.BLUE)
         .dots(new Curve(values, new double[values.length]), DOTS);
   }
 
@@ -170,24 +171,24 @@ final class ReportFigures {
                 "residuals",
                 "predicted confidence",
                 result.confidences(detector),
-                at(result.measuredPip(), line::confidence))));
+                valuesAt(result.measuredPip(), line::confidence))));
   }
 
   /** Draws a detector's confidences and its line on a predictor. */
-  private XyPanel fitted(String detector, String on, String label) {
-    DetectorModel line = result.line(detector, on).line();
+  private XyPanel fitted(String detector, String predictor, String label) {
+    DetectorModel line = result.line(detector, predictor).line();
     return scatter(
-        detector + " on " + on,
+        detector + " on " + predictor,
         label,
         "confidence",
-        result.predictor(on),
+        result.predictor(predictor),
         result.confidences(detector),
         line::confidence);
   }
 
   /**
-   * Draws a detector's confidence by measured PIP with g on it; objects have colours if these are
-   * enough for all.
+   * Draws a detector's confidence by measured PIP, and g. Objects have colours of their own if
+   * there are enough colours.
    */
   Figure objects(String detector) {
     XyPanel panel = panel("", "PIP (logarithmic)", "confidence");
@@ -204,7 +205,7 @@ final class ReportFigures {
         });
     double[] pip = logarithmic(ends(result.measuredPip()));
     DetectorModel g = result.model(detector, FitResult.GROUND_TRUTH).chosen().g();
-    panel.straight(new Curve(pip, at(pip, g::confidence)), Palette.BLACK);
+    panel.straight(new Curve(pip, valuesAt(pip, g::confidence)), Palette.BLACK);
     return new Figure(
         detector + " by object",
         "Dots: photos. Line: g.",
@@ -237,7 +238,7 @@ final class ReportFigures {
     XyPanel panel = panel(model.name(), "expected share", "detected share");
     panel.straight(new Curve(diagonal, diagonal), DOTS);
     fifths(panel, OwnTables.formerReliability(model.fit()), Palette.ORANGE);
-    fifths(panel, model.fit().drawnFrom().calibration(), Palette.BLUE);
+    fifths(panel, model.fit().chosenScatter().calibration(), Palette.BLUE);
     return panel;
   }
 
@@ -254,7 +255,7 @@ final class ReportFigures {
         .toArray();
   }
 
-  private static double[] at(double[] x, DoubleUnaryOperator curve) {
+  private static double[] valuesAt(double[] x, DoubleUnaryOperator curve) {
     return Arrays.stream(x).map(curve).toArray();
   }
 

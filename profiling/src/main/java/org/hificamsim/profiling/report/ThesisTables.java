@@ -18,7 +18,9 @@ import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.LineFit;
 import org.hificamsim.profiling.report.Claims.Claim;
 
-/** Adds the tables of the thesis with your numbers, and the published ones in brackets. */
+/**
+ * Adds the tables of the thesis with the data set's numbers, and the published ones in brackets.
+ */
 final class ThesisTables {
   private final FitResult result;
 
@@ -45,7 +47,7 @@ final class ThesisTables {
     return withPublished(value, digits, PublishedTables.variable(variable.id()), column);
   }
 
-  /** Adds Table 4.2, with every f. */
+  /** Adds Table 4.2, extended to every f. */
   void features(HtmlPage page) {
     page.table(
         new TableLayout<FeatureResult>()
@@ -79,7 +81,7 @@ final class ThesisTables {
 
   private record CoefficientRow(String f, Coefficient coefficient) {}
 
-  /** Adds coefficients with standard errors and intervals. */
+  /** Adds the table of coefficients with standard errors and intervals. */
   void coefficients(HtmlPage page) {
     page.table(
         new TableLayout<CoefficientRow>()
@@ -96,7 +98,7 @@ final class ThesisTables {
   /** A line fitted to a detector's confidences, and the published one. */
   private record LineRow(String name, LineFit fit, Map<String, String> published) {}
 
-  /** Adds the lines of Eqs 5.2 to 5.4. */
+  /** Adds the table of detector lines on measured PIP (Eqs 5.2 to 5.4). */
   void detectors(HtmlPage page) {
     lines(
         page,
@@ -110,7 +112,7 @@ final class ThesisTables {
                         PublishedTables.groundTruthLine(detector))));
   }
 
-  /** Adds Table 6.1, with every f. */
+  /** Adds Table 6.1, extended to every f. */
   void combinations(HtmlPage page) {
     lines(
         page,
@@ -139,10 +141,10 @@ final class ThesisTables {
                         PublishedTables.camSimLine(detector))));
   }
 
-  private static void lines(HtmlPage page, String first, Stream<LineRow> rows) {
+  private static void lines(HtmlPage page, String nameColumn, Stream<LineRow> rows) {
     page.table(
         new TableLayout<LineRow>()
-            .with(first, LineRow::name)
+            .with(nameColumn, LineRow::name)
             .with("R2", row -> withPublished(row.fit.r2(), 3, row.published, "r2"))
             .with("RMSE", row -> withPublished(row.fit.rmse(), 4, row.published, "rmse"))
             .with("SSE", row -> withPublished(row.fit.sse(), 2, row.published, "sse"))
@@ -153,7 +155,7 @@ final class ThesisTables {
         rows.toList());
   }
 
-  /** Adds the verdicts on the statements of chapters 4 to 6. */
+  /** Adds the table of verdicts on the thesis's statements. */
   static void claims(HtmlPage page, List<Claim> claims) {
     page.table(
         new TableLayout<Claim>()

@@ -34,7 +34,7 @@ class BoxFitTest {
   /**
    * Draws people, each with a height, who are hidden by chance.
    *
-   * @param spread of the logarithm of the shape
+   * @param spread the standard deviation of the logarithm of the shape
    */
   private static MeasuredBoxes drawn(
       FoundCurve curve, int people, int frames, long seed, double spread) {

@@ -79,7 +79,7 @@ class DetectorRecordingsTest {
     assertEquals(0.771, measured.recordings().get(1).found(), 0.001);
     BoxFit fit = BoxFit.of(measured);
     assertFalse(fit.rejected());
-    double logLoss = fit.ofModel().logLoss();
+    double logLoss = fit.modelReliability().logLoss();
     assertTrue(logLoss < fit.unseenPeople().get(FoundForm.HEIGHT).logLoss());
     assertTrue(logLoss < fit.unseenPeople().get(FoundForm.HIDDEN).logLoss());
     assertTrue(fit.curve().width().counts(), fit.width());

@@ -8,7 +8,7 @@ import org.hificamsim.profiling.check.Calibration.Size;
 final class MadeCameras {
   static final Size PICTURE = new Size(768, 576);
 
-  /** Of such a picture. */
+  /** A lens without distortion for such a picture. */
   static final Lens LENS = bent(0);
 
   private MadeCameras() {}

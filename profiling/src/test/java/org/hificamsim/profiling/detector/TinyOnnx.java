@@ -33,7 +33,7 @@ final class TinyOnnx {
             .message(1, node("Reshape", "cells", "form", "out"))
             .text(2, "tiny")
             .message(5, floats("weights", weights(), ANSWERS, 3, CELL, CELL))
-            .message(5, floats("places", places(), 1, ANSWERS, CELLS, CELLS))
+            .message(5, floats("places", cellBoxes(), 1, ANSWERS, CELLS, CELLS))
             .message(5, longs("form", 1, ANSWERS, CELLS * CELLS))
             .message(11, value("in", 1, 3, SIZE, SIZE))
             .message(12, value("out", 1, ANSWERS, CELLS * CELLS));
@@ -58,15 +58,15 @@ final class TinyOnnx {
   }
 
   /** Returns the centre of each cell and twice its size. */
-  private static float[] places() {
-    float[] places = new float[ANSWERS * CELLS * CELLS];
+  private static float[] cellBoxes() {
+    float[] cellBoxes = new float[ANSWERS * CELLS * CELLS];
     for (int i = 0; i < CELLS * CELLS; i++) {
-      places[i] = CELL * (i % CELLS) + CELL / 2f;
-      places[CELLS * CELLS + i] = CELL * (i / CELLS) + CELL / 2f;
-      places[2 * CELLS * CELLS + i] = 2 * CELL;
-      places[3 * CELLS * CELLS + i] = 2 * CELL;
+      cellBoxes[i] = CELL * (i % CELLS) + CELL / 2f;
+      cellBoxes[CELLS * CELLS + i] = CELL * (i / CELLS) + CELL / 2f;
+      cellBoxes[2 * CELLS * CELLS + i] = 2 * CELL;
+      cellBoxes[3 * CELLS * CELLS + i] = 2 * CELL;
     }
-    return places;
+    return cellBoxes;
   }
 
   private static TinyOnnx convolution() {

@@ -50,7 +50,7 @@ class HonestValidationTest {
             });
     double[] y = IntStream.range(0, rows.size()).asDoubleStream().toArray();
     ShapeFit fit = ShapeFit.of(spy, y, Collections.nCopies(8, y), y, objects);
-    assertEquals(rows.size(), seen.get(0).size(), "the first fit is of all");
+    assertEquals(rows.size(), seen.get(0).size(), "the first fit has all rows");
     for (int group = 0; group < 8; group++) {
       for (int row : objects.rows().get(group)) {
         assertEquals(group + 2, fit.predicted()[row]);
@@ -79,8 +79,8 @@ class HonestValidationTest {
     assertEquals(1, OneStandardError.simplest(List.of(new double[] {6, 10, 2, 4}, best)));
     assertEquals(0, OneStandardError.simplest(List.of(new double[] {7, 8, 2, 3}, best)));
     assertEquals(0, OneStandardError.simplest(List.of(best, best.clone())));
-    double[] none = {Double.NaN, 1, 1, 1};
-    assertEquals(1, OneStandardError.simplest(List.of(none, best)));
+    double[] unknown = {Double.NaN, 1, 1, 1};
+    assertEquals(1, OneStandardError.simplest(List.of(unknown, best)));
   }
 
   @Test

@@ -29,7 +29,7 @@ class ScatterFitTest {
               .mapToObj(object -> IntStream.range(object * PHOTOS, (object + 1) * PHOTOS).toArray())
               .toList());
 
-  /** Confidences are 0.05 + 0.4 p with a scatter of least + growth * 0.4 p. */
+  /** Fits the scatter of confidences 0.05 + 0.4 p that have the scatter least + growth * 0.4 p. */
   private List<ScatterFit> fits(double least, double growth) {
     double[] y =
         Arrays.stream(pip)
@@ -37,7 +37,7 @@ class ScatterFitTest {
             .toArray();
     ShapeFit g =
         ShapeFit.of(DetectorShape.of("line"), pip, Collections.nCopies(OBJECTS, pip), y, objects);
-    return ScatterFit.both(g, y, objects);
+    return ScatterFit.constantAndGrowing(g, y, objects);
   }
 
   @Test
@@ -71,10 +71,11 @@ class ScatterFitTest {
     Arrays.setAll(y, i -> 0.05 + 0.4 * pip[i] + random.nextGaussian() * (i < PHOTOS ? 0.5 : 0.01));
     ShapeFit g =
         ShapeFit.of(DetectorShape.of("line"), pip, Collections.nCopies(OBJECTS, pip), y, objects);
-    double[] detected = ScatterFit.both(g, y, objects).get(0).calibration().detected();
-    double wild = Arrays.stream(detected, 0, PHOTOS).average().orElseThrow();
+    double[] detected =
+        ScatterFit.constantAndGrowing(g, y, objects).get(0).calibration().detected();
+    double scattered = Arrays.stream(detected, 0, PHOTOS).average().orElseThrow();
     double others = Arrays.stream(detected, PHOTOS, pip.length).average().orElseThrow();
-    assertTrue(wild > 0.6, "by the threshold of the others, which is low: " + wild);
+    assertTrue(scattered > 0.6, "by the threshold of the others, which is low: " + scattered);
     assertTrue(others < 0.25, "by a threshold that the wild one has raised: " + others);
   }
 

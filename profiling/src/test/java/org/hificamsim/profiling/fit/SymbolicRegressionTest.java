@@ -26,11 +26,11 @@ class SymbolicRegressionTest {
   @Test
   void onlyEqualSeedsGiveEqualFormulas() {
     List<Measurement> data = Synthetic.of((q, d, z) -> d * 0.2 - 10 * z, 0.1, 2);
-    SymbolicSettings few = new SymbolicSettings(100, 5, 0.001, 4, 1);
-    SymbolicSettings other = new SymbolicSettings(100, 5, 0.001, 5, 1);
-    String first = new SymbolicRegression(few).fit(data).equation();
-    assertEquals(first, new SymbolicRegression(few).fit(data).equation());
-    assertTrue(!first.equals(new SymbolicRegression(other).fit(data).equation()));
+    SymbolicSettings seed4 = new SymbolicSettings(100, 5, 0.001, 4, 1);
+    SymbolicSettings seed5 = new SymbolicSettings(100, 5, 0.001, 5, 1);
+    String first = new SymbolicRegression(seed4).fit(data).equation();
+    assertEquals(first, new SymbolicRegression(seed4).fit(data).equation());
+    assertTrue(!first.equals(new SymbolicRegression(seed5).fit(data).equation()));
   }
 
   /** Fits the law of a pinhole camera, which no short formula of + - * / equals. */
@@ -89,7 +89,7 @@ class SymbolicRegressionTest {
     double[] row = {0.3, 4, 0.05};
     for (Formula formula : List.of(minus, quotient, negative, tiny)) {
       assertEquals(
-          formula.at(row),
+          formula.evaluate(row),
           Expression.parse(formula.text()).value(row[0], row[1], row[2]),
           1e-12,
           formula.text());

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Random;
 import org.hificamsim.profiling.measure.Measurement;
 
-/** Observations of a known law with known noise. */
+/** Synthetic photos whose PIPs follow a known law with known noise. */
 final class Synthetic {
   static final double[] SIZES = {0.10, 0.12, 0.16, 0.22, 0.30, 0.40, 0.52, 0.66};
   static final double[] LENGTHS = {0.010, 0.015, 0.024, 0.050, 0.070, 0.085};

@@ -35,24 +35,24 @@ class LaboratoryTest {
   @TempDir Path folder;
 
   /** The small laboratory, rendered with one thread. */
-  @TempDir static Path small;
+  @TempDir static Path smallLab;
 
   private static final AtomicInteger PHOTOS = new AtomicInteger();
 
   @BeforeAll
   static void renderSmallLaboratory() {
-    new Laboratory(SMALL).render(small, 1, PHOTOS::incrementAndGet);
+    new Laboratory(SMALL).render(smallLab, 1, PHOTOS::incrementAndGet);
   }
 
   @Test
   void rendersTheSameOnAnyNumberOfThreads() throws IOException {
     new Laboratory(SMALL).render(folder, 3, () -> {});
     assertEquals(16, PHOTOS.get());
-    List<Path> files = files(small);
+    List<Path> files = files(smallLab);
     assertEquals(files.size(), files(folder).size());
     for (Path file : files) {
       assertArrayEquals(
-          Files.readAllBytes(small.resolve(file)),
+          Files.readAllBytes(smallLab.resolve(file)),
           Files.readAllBytes(folder.resolve(file)),
           file::toString);
     }
@@ -61,7 +61,7 @@ class LaboratoryTest {
 
   @Test
   void sizeIsTheRootOfWidthTimesHeight() {
-    LabelledPhoto matchbox = read(small).samples().get(0);
+    LabelledPhoto matchbox = read(smallLab).samples().get(0);
     assertEquals("matchbox", matchbox.object());
     assertEquals(Math.sqrt(0.10 * 0.09), matchbox.size(), 1e-12);
   }
@@ -106,7 +106,7 @@ class LaboratoryTest {
     try (Mats mats = new Mats();
         PhotoSurfaces photos = new PhotoSurfaces()) {
       for (int i = 0; i < 7; i++) {
-        Mat thing = mats.own(photos.thing(i, 64, new SplittableRandom(i)));
+        Mat thing = mats.own(photos.thingTexture(i, 64, new SplittableRandom(i)));
         assertEquals(64, thing.cols());
       }
     }
@@ -170,7 +170,7 @@ class LaboratoryTest {
 
   @Test
   void writesADataSetWithoutProblems() {
-    Dataset dataset = read(small);
+    Dataset dataset = read(smallLab);
     assertEquals(4, dataset.templates().size());
     dataset.samples().forEach(sample -> assertTrue(sample.patch().area() > 0));
   }

@@ -51,9 +51,9 @@ class OpticsTest {
         image.put(80, 80, new float[] {1});
         LensBlur.apply(image, diameter);
         assertEquals(1, Core.sumElems(image).val[0], 0.05);
-        float[] beyond = new float[1];
-        image.get(80, (int) Math.min(160, 80 + diameter * 0.75 + 2), beyond);
-        assertEquals(0, beyond[0], 1e-4);
+        float[] outside = new float[1];
+        image.get(80, (int) Math.min(160, 80 + diameter * 0.75 + 2), outside);
+        assertEquals(0, outside[0], 1e-4);
         float[] within = new float[1];
         image.get(80, (int) (80 + diameter * 0.25), within);
         assertEquals(4 / (Math.PI * diameter * diameter), within[0], 0.35 / (diameter * diameter));
@@ -66,8 +66,9 @@ class OpticsTest {
     double low = noise(Sensor.scaled(0.25), 100);
     double high = noise(Sensor.scaled(0.25), 6400);
     double large = noise(Sensor.scaled(0.125), 6400);
-    // Photon noise: by the root of 64, and half with four times the area.
-    assertEquals(8, high / low, 1.5); // and the read noise
+    // Photon noise grows by the root of 64 (read noise adds to it), and halves with the area times
+    // 4.
+    assertEquals(8, high / low, 1.5);
     assertEquals(2, high / large, 0.2);
     assertEquals(0, noise(Sensor.scaled(0.125), 0));
   }
@@ -89,10 +90,10 @@ class OpticsTest {
 
   @Test
   void wideLensesBarrelAndLongLensesPincushion() {
-    assertTrue(RadialDistortion.at(0.010, 1).k() > 0.04);
-    assertEquals(0, RadialDistortion.at(0.035, 1).k(), 1e-12);
-    assertTrue(RadialDistortion.at(0.085, 1).k() < 0);
-    assertEquals(0, RadialDistortion.at(0.010, 0).k(), 1e-12);
+    assertTrue(RadialDistortion.typical(0.010, 1).k() > 0.04);
+    assertEquals(0, RadialDistortion.typical(0.035, 1).k(), 1e-12);
+    assertTrue(RadialDistortion.typical(0.085, 1).k() < 0);
+    assertEquals(0, RadialDistortion.typical(0.010, 0).k(), 1e-12);
   }
 
   private static double noise(Sensor sensor, double iso) {

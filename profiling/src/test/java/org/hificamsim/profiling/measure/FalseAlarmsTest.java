@@ -39,16 +39,16 @@ class FalseAlarmsTest {
 
   @Test
   void uselessDetectorDetectsNothing() {
-    AlarmThreshold blind = AlarmThreshold.of("orb", WITHOUT, List.of(0.01, 0.02), 0.01);
-    assertTrue(blind.threshold() > 0.098);
-    assertEquals(0, blind.recall());
+    AlarmThreshold useless = AlarmThreshold.of("orb", WITHOUT, List.of(0.01, 0.02), 0.01);
+    assertTrue(useless.threshold() > 0.098);
+    assertEquals(0, useless.recall());
     AlarmThreshold silent =
         AlarmThreshold.of("orb", Collections.nCopies(9, 0.0), List.of(0.4, 0.0), 0.1);
     assertEquals(0.2, silent.threshold());
     assertEquals(0.5, silent.recall());
   }
 
-  /** Photos of one object serve as photos without the others. */
+  /** The photos of the matchbox serve as photos without the ball. */
   @Test
   void photosWithoutObjectsDetermineThresholds() throws IOException {
     Dataset complete = SmallLab.render(folder);

@@ -42,19 +42,22 @@ class MeasurerTest {
   private static Dataset dataset;
 
   /** Some photos of every object, for slow tests. */
-  private static Dataset some;
+  private static Dataset somePhotos;
 
-  /** Their table for all detectors, measured with one thread. */
+  /** The table of these photos for all detectors, measured with one thread. */
   private static String measured;
 
   @BeforeAll
   static void measureSome() throws IOException {
     dataset = SmallLab.render(folder);
-    List<LabelledPhoto> every = dataset.samples();
-    some =
+    List<LabelledPhoto> allPhotos = dataset.samples();
+    somePhotos =
         with(
-            IntStream.range(0, every.size()).filter(i -> i % 3 == 0).mapToObj(every::get).toList());
-    new Measurer(some, PLAIN).measure(1, () -> {});
+            IntStream.range(0, allPhotos.size())
+                .filter(i -> i % 3 == 0)
+                .mapToObj(allPhotos::get)
+                .toList());
+    new Measurer(somePhotos, PLAIN).measure(1, () -> {});
     measured = table();
   }
 
@@ -64,9 +67,9 @@ class MeasurerTest {
 
   @Test
   void measuresTheSameOnAnyNumberOfThreads() throws IOException {
-    new Measurer(some, PLAIN).measure(3, () -> {});
+    new Measurer(somePhotos, PLAIN).measure(3, () -> {});
     assertEquals(measured, table());
-    assertEquals(some.samples().size() + 1, measured.lines().count());
+    assertEquals(somePhotos.samples().size() + 1, measured.lines().count());
   }
 
   @Test
@@ -75,7 +78,7 @@ class MeasurerTest {
     assertThrows(
         IllegalStateException.class,
         () ->
-            new Measurer(some, PLAIN)
+            new Measurer(somePhotos, PLAIN)
                 .measure(
                     1,
                     () -> {
@@ -83,12 +86,12 @@ class MeasurerTest {
                         throw new IllegalStateException("killed");
                       }
                     }));
-    Path part = part().orElseThrow();
-    Files.writeString(part, Files.readString(part) + "images/half,a li");
-    int resumed = new Measurer(some, PLAIN).measure(2, () -> {}).resumed();
+    Path partFile = partFile().orElseThrow();
+    Files.writeString(partFile, Files.readString(partFile) + "images/half,a li");
+    int resumed = new Measurer(somePhotos, PLAIN).measure(2, () -> {}).resumed();
     assertEquals(10, resumed);
     assertEquals(measured, table());
-    assertTrue(part().isEmpty());
+    assertTrue(partFile().isEmpty());
   }
 
   @Test
@@ -97,7 +100,7 @@ class MeasurerTest {
     assertThrows(
         IllegalStateException.class,
         () ->
-            new Measurer(some, PLAIN)
+            new Measurer(somePhotos, PLAIN)
                 .measure(
                     1,
                     () -> {
@@ -105,8 +108,8 @@ class MeasurerTest {
                         throw new IllegalStateException("killed");
                       }
                     }));
-    assertEquals(0, new Measurer(some, ORB).measure(2, () -> {}).resumed());
-    Files.delete(part().orElseThrow());
+    assertEquals(0, new Measurer(somePhotos, ORB).measure(2, () -> {}).resumed());
+    Files.delete(partFile().orElseThrow());
   }
 
   @Test
@@ -308,7 +311,7 @@ class MeasurerTest {
     return Files.readString(folder.resolve(MeasurementsFile.NAME));
   }
 
-  private static Optional<Path> part() throws IOException {
+  private static Optional<Path> partFile() throws IOException {
     try (Stream<Path> files = Files.list(folder)) {
       return files
           .filter(f -> f.getFileName().toString().matches("\\.measurements-.*\\.part"))

@@ -9,7 +9,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 class RecallTest {
-  /** Heights are 1 to 100; objects are found from 51 on, and every tenth below. */
+  /** Heights are 1 to 100. Objects are found from 51 on, and at every tenth height below. */
   @Test
   void recallIsTheShareFoundAtSimilarHeight() {
     List<Measurement> rows = new ArrayList<>();
@@ -18,10 +18,12 @@ class RecallTest {
       heights[i] = 100 - i;
       rows.add(row(heights[i] > 50 || heights[i] % 10 == 0 ? 0.4 : 0));
     }
-    List<Measurement> more = Recall.with(rows, heights, "onnx-tiny-0");
+    List<Measurement> withRecall = Recall.with(rows, heights, "onnx-tiny-0");
     for (int i = 0; i < 100; i++) {
-      assertEquals(heights[i] > 50 ? 1 : 0.1, more.get(i).confidence("onnx-tiny-0-recall"), 1e-12);
-      assertEquals(rows.get(i).confidence("onnx-tiny-0"), more.get(i).confidence("onnx-tiny-0"));
+      assertEquals(
+          heights[i] > 50 ? 1 : 0.1, withRecall.get(i).confidence("onnx-tiny-0-recall"), 1e-12);
+      assertEquals(
+          rows.get(i).confidence("onnx-tiny-0"), withRecall.get(i).confidence("onnx-tiny-0"));
     }
   }
 

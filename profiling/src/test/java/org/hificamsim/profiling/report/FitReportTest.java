@@ -82,14 +82,14 @@ class FitReportTest {
         assertTrue(Files.size(file) > 5000, file.toString());
       }
     }
-    assertFalse(words(page).contains("NaN"), "a number is missing");
+    assertFalse(withoutPictures(page).contains("NaN"), "a number is missing");
   }
 
   @Test
   void reportIsOneSelfContainedFile() throws IOException {
     String page = Files.readString(folder.resolve("report.html"));
     assertFalse(page.contains(".png\""), "the page refers to a picture file");
-    assertFalse(page.contains("http"), "a page elsewhere");
+    assertFalse(page.contains("http"), "the page refers to the network");
     long pictures =
         page.lines().mapToLong(line -> line.split("data:image/png", -1).length - 1).sum();
     assertEquals(3 + 1 + 11, pictures);
@@ -102,15 +102,16 @@ class FitReportTest {
     assertTrue(first.contains("-pinhole: on objects that it has not seen"), first);
     assertTrue(page.indexOf("Models g(f)") < page.indexOf("Beside the thesis"));
     assertTrue(page.indexOf("Table 4.1") > page.indexOf("Beside the thesis"));
-    assertTrue(page.contains("160 photos of 4 objects."), "how many photos");
-    assertFalse(words(page).matches("(?s).*\\b[Oo]urs?\\b.*"), "whose data are these");
+    assertTrue(page.contains("160 photos of 4 objects."), "the counts are missing");
+    assertFalse(
+        withoutPictures(page).matches("(?s).*\\b[Oo]urs?\\b.*"), "the page calls data ours");
   }
 
   @Test
   void judgesChancesOnUnseenPhotos() throws IOException {
     String page = Files.readString(folder.resolve("report.html"));
-    assertTrue(page.contains("constant, false alarms count"), "before");
-    assertTrue(page.contains("log loss"), "and what is taken by");
+    assertTrue(page.contains("constant, false alarms count"), "the former scatter is missing");
+    assertTrue(page.contains("log loss"), "the reason of the choice is missing");
     assertTrue(Files.exists(folder.resolve("reliability.png")));
     String lens = Recommendation.lens(result);
     assertTrue(page.contains(lens.substring(0, 60)), lens);
@@ -139,7 +140,9 @@ class FitReportTest {
     for (String f : List.of("pinhole", "power", "lin", "svr-lin", "sr", "svr-rbf")) {
       assertTrue(result.features().stream().anyMatch(feature -> feature.name().equals(f)), f);
       assertTrue(
-          ModelScores.of(result, "orb").stream().anyMatch(step -> step.model().equals(f)), f);
+          ModelScores.of(result, "orb").stream()
+              .anyMatch(modelScores -> modelScores.model().equals(f)),
+          f);
     }
     assertEquals(6 * 3, new ReportFigures(result).figure("6.1", "").panels().size());
   }
@@ -189,22 +192,22 @@ class FitReportTest {
     assertTrue(text.contains("Take onnx-tiny-0-pinhole"), text.substring(0, 1500));
     assertFalse(text.contains("0 of 0"), "a count of nothing");
     assertFalse(text.contains("(-)"), "brackets around nothing");
-    assertFalse(words(text).contains("NaN"));
+    assertFalse(withoutPictures(text).contains("NaN"));
   }
 
   /** Few photos, for tests that do not depend on statistics. */
-  private static Photos few() {
+  private static Photos fewPhotos() {
     return new Photos().objects(4).lenses(0.010, 0.050);
   }
 
   /** Returns a page without its embedded pictures, whose bytes may contain any text. */
-  private static String words(String page) {
+  private static String withoutPictures(String page) {
     return page.replaceAll("base64,[^\"]*", "");
   }
 
   @Test
-  void reportsNoiseAsRejected() throws IOException {
-    List<Measurement> rows = few().detector("noise", p -> 0.2).scatter(0.02, 0.05).take(1);
+  void rejectsDetectorOfNoise() throws IOException {
+    List<Measurement> rows = fewPhotos().detector("noise", p -> 0.2).scatter(0.02, 0.05).take(1);
     FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
     Path page = Files.createDirectories(folder.resolve("noise"));
     try (OutputFolder earlier = new OutputFolder(page)) {
@@ -290,16 +293,16 @@ class FitReportTest {
 
   @Test
   void scoresCamSimModelsBeforeEveryF() {
-    List<ModelScores> steps = ModelScores.of(result, "orb");
+    List<ModelScores> scores = ModelScores.of(result, "orb");
     assertEquals(
         List.of(
             "geometric", "camsim-standard", "pinhole", "power", "lin", "svr-lin", "sr", "svr-rbf"),
-        steps.stream().map(ModelScores::model).toList());
-    assertTrue(steps.get(0).fit().unseen().r2() <= 0, "the mean of the others explains nothing");
-    assertEquals(0.5, steps.get(0).accuracy(), "and guesses");
-    assertTrue(steps.get(2).fit().unseen().r2() > 0.9);
-    assertTrue(steps.get(2).accuracy() > 0.8, "" + steps.get(2));
-    assertTrue(steps.get(1).fit().unseen().r2() < 0.5);
+        scores.stream().map(ModelScores::model).toList());
+    assertTrue(scores.get(0).fit().unseen().r2() <= 0, "the mean of the others explains nothing");
+    assertEquals(0.5, scores.get(0).accuracy(), "it guesses");
+    assertTrue(scores.get(2).fit().unseen().r2() > 0.9);
+    assertTrue(scores.get(2).accuracy() > 0.8, "" + scores.get(2));
+    assertTrue(scores.get(1).fit().unseen().r2() < 0.5);
   }
 
   @Test
