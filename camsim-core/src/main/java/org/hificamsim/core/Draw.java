@@ -23,7 +23,7 @@ public final class Draw {
     return (key >>> 11) * UNIT;
   }
 
-  /** Stafford's variant 13 of the mixing function of MurmurHash3. */
+  /** Mixes the bits of a number by Stafford's variant 13 of the function of MurmurHash3. */
   private static long mix(long z) {
     long y = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
     y = (y ^ (y >>> 27)) * 0x94D049BB133111EBL;

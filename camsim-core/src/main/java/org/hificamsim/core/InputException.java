@@ -11,22 +11,22 @@ package org.hificamsim.core;
 public final class InputException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
-  /** A fault that the message describes in one line, its place in front where there is one. */
+  /** Creates a fault with a message of one line, which begins with its place if it has one. */
   public InputException(String message) {
     super(message);
   }
 
-  /** A fault that has another one as its cause. */
+  /** Creates a fault that has another one as its cause. */
   public InputException(String message, Throwable cause) {
     super(message, cause);
   }
 
-  /** A fault whose message has values, in the form of {@link Texts#format}. */
+  /** Creates a fault whose message has values, in the form of {@link Texts#format}. */
   public static InputException of(String form, Object... values) {
     return new InputException(Texts.format(form, values));
   }
 
-  /** The same fault with another one as its cause. */
+  /** Sets the cause of this fault, and returns the fault. */
   public InputException because(Throwable cause) {
     initCause(cause);
     return this;

@@ -67,13 +67,13 @@ public final class NamedSetting {
   /**
    * A setting's name for a message.
    *
-   * @param name as files and Python have it, with {@code _} between words
+   * @param name the name as files and Python write it, with {@code _} between words
    */
   public static String setting(String name) {
     return BEGIN + name + END;
   }
 
-  /** A setting's name and a value of it for a message. */
+  /** A setting's name with a value, for a message. */
   public static String setting(String name, String value) {
     return BEGIN + name + EQUALS + value + END;
   }

@@ -5,11 +5,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A place in a file, as messages name it.
+ * A position in a file, as messages name it.
  *
  * @param file the file as the user named it
- * @param line from 1
- * @param column from 1, in the units that the file's reader counts
+ * @param line the number of the line, from 1
+ * @param column the number of the column, from 1, in the units that the file's reader counts
  */
 public record Place(String file, int line, int column) {
   private static final Pattern LINE_ENDS = Pattern.compile("[\t-\r\\x{85}\\x{2028}\\x{2029}]+");
@@ -67,7 +67,7 @@ public record Place(String file, int line, int column) {
   /**
    * Replaces control characters and direction marks by escapes such as <code>&#92;u202E</code>.
    *
-   * @param backslash how the backslash of an escape is written
+   * @param backslash the text for the backslash of an escape
    */
   public static String escaped(String text, String backslash) {
     return UNPRINTABLE

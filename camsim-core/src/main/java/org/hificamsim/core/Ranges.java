@@ -5,9 +5,9 @@ public final class Ranges {
   private Ranges() {}
 
   /**
-   * Returns a number.
+   * Returns a number after checking its range.
    *
-   * @param name of what has the number, for the message
+   * @param name the name of the number, for the message
    * @throws InputException if it is not in [least, greatest], or NaN
    */
   public static double within(String name, double value, double least, double greatest) {

@@ -24,7 +24,7 @@ public final class Spelling {
   /**
    * Returns the constant of {@code type} with this spelling.
    *
-   * @param name of the setting, for the message
+   * @param name the name of the setting, for the message
    * @throws InputException if there is none
    */
   public static <E extends Enum<E>> E require(Class<E> type, String name, String text) {

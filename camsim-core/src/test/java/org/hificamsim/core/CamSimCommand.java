@@ -27,8 +27,8 @@ public record CamSimCommand(String scenario, List<String> options) {
 
   /** Returns the word after an option, if the option is given. */
   public Optional<String> option(String name) {
-    int place = options.indexOf(name);
-    return place < 0 ? Optional.empty() : Optional.of(options.get(place + 1));
+    int index = options.indexOf(name);
+    return index < 0 ? Optional.empty() : Optional.of(options.get(index + 1));
   }
 
   /** Returns the whole number after an option, if the option is given. */

@@ -37,8 +37,8 @@ public record CamSimTrace(String name, CamSimCommand command) {
   }
 
   /** Returns the rows of {@code positions}, {@code confidences} or {@code owners}. */
-  public List<String[]> rows(String what) {
-    return Reference.rows(FOLDER + name + "." + what + ".csv");
+  public List<String[]> rows(String table) {
+    return Reference.rows(FOLDER + name + "." + table + ".csv");
   }
 
   @Override

@@ -17,8 +17,8 @@ import java.util.stream.Stream;
  */
 public final class Reference {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
-  private static final Path OURS = ROOT.resolve("src/test/resources/reference");
-  private static final Path BESIDE = ROOT.resolve("../shared/reference").normalize();
+  private static final Path INCLUDED = ROOT.resolve("src/test/resources/reference");
+  private static final Path EXTERNAL = ROOT.resolve("../shared/reference").normalize();
 
   private Reference() {}
 
@@ -26,17 +26,17 @@ public final class Reference {
    * Returns a file or folder; skips the calling test if its folder next to the project is missing.
    */
   public static Path file(String name) {
-    Path ours = OURS.resolve(name);
-    return Files.exists(ours) ? ours : beside(name);
+    Path included = INCLUDED.resolve(name);
+    return Files.exists(included) ? included : external(name);
   }
 
-  private static Path beside(String name) {
+  private static Path external(String name) {
     String folder = name.split("/")[0];
     assumeTrue(
-        Files.isDirectory(BESIDE.resolve(folder)),
+        Files.isDirectory(EXTERNAL.resolve(folder)),
         "needs ../shared/reference/%s, which carries no licence (docs/evidence.md)"
             .formatted(folder));
-    Path file = BESIDE.resolve(name);
+    Path file = EXTERNAL.resolve(name);
     assertFalse(Files.notExists(file), () -> "no reference " + file);
     return file;
   }

@@ -21,16 +21,16 @@ public final class TestScenario {
   private final List<CameraSpec> cameras = new ArrayList<>();
   private final List<TargetSpec> targets = new ArrayList<>();
   private final List<ScenarioEvent> events = new ArrayList<>();
-  private Scenario rest = new Scenario("test", new Field(-10, 10, -10, 10));
+  private Scenario settings = new Scenario("test", new Field(-10, 10, -10, 10));
 
   public TestScenario field(double minX, double maxX, double minY, double maxY) {
-    rest = new Scenario("test", new Field(minX, maxX, minY, maxY));
+    settings = new Scenario("test", new Field(minX, maxX, minY, maxY));
     return this;
   }
 
   /** Sets any property but cameras, targets and events; call {@link #field} first if at all. */
   public <T> TestScenario with(Property<Scenario, T> property, T value) {
-    rest = rest.with(property, value);
+    settings = settings.with(property, value);
     return this;
   }
 
@@ -82,7 +82,8 @@ public final class TestScenario {
   }
 
   public Scenario scenario() {
-    return rest.with(Scenario.CAMERAS, cameras)
+    return settings
+        .with(Scenario.CAMERAS, cameras)
         .with(Scenario.TARGETS, targets)
         .with(Scenario.EVENTS, events);
   }
@@ -97,8 +98,8 @@ public final class TestScenario {
   }
 
   /**
-   * @param heading degrees
-   * @param angle degrees
+   * @param heading the heading, degrees
+   * @param angle the angle, degrees
    */
   public static CameraSpec camera(
       String name, double x, double y, double heading, double angle, double range) {
@@ -108,7 +109,7 @@ public final class TestScenario {
   }
 
   /**
-   * @param heading degrees
+   * @param heading the heading, degrees
    */
   public static CameraSpec camera(
       String name, double x, double y, double heading, OpticsSpec optics) {
@@ -116,7 +117,7 @@ public final class TestScenario {
   }
 
   /**
-   * @param heading degrees
+   * @param heading the heading, degrees
    */
   public static TargetSpec target(
       double features, double x, double y, double heading, double speed) {
@@ -128,7 +129,7 @@ public final class TestScenario {
   /**
    * Returns a target that starts on the first corner of its path.
    *
-   * @param corners x, y, x, y, ...
+   * @param corners the coordinates of the corners: x, y, x, y, ...
    */
   public static TargetSpec walker(
       double features, String movement, double speed, double... corners) {

@@ -40,7 +40,7 @@ public final class Channel {
   /** By camera: the bits in its queue in that step. */
   private final long[] queuedBits;
 
-  /** By camera: how many steps its last message waits in the queue. */
+  /** By camera: the number of steps that its last message waits in the queue. */
   private final int[] queueDelays;
 
   private final long[] dropped;
@@ -51,7 +51,7 @@ public final class Channel {
 
   /**
    * @param stations the cameras of the run
-   * @param seed of the run
+   * @param seed the seed of the run
    */
   public Channel(ChannelModel model, Stations stations, long seed) {
     this(model, stations, seed, stations.cameras());
@@ -114,20 +114,20 @@ public final class Channel {
     return travel == LOST ? LOST : wait + travel;
   }
 
-  /** Steps over all hops; a hop begins when the one before it ends. */
+  /** Returns the steps over all hops to a receiver; a hop begins when the one before it ends. */
   private int travelTime(int from, int to, int wait) {
-    int last = radio.predecessor(from, to);
-    int before = last == from || last == LOST ? 0 : travelTime(from, last, wait);
-    if (last == LOST || before == LOST) {
+    int previous = radio.predecessor(from, to);
+    int before = previous == from || previous == LOST ? 0 : travelTime(from, previous, wait);
+    if (previous == LOST || before == LOST) {
       return LOST;
     }
-    int hop = hop(from, last, to, wait + before);
+    int hop = hop(from, previous, to, wait + before);
     return hop == LOST ? LOST : before + hop;
   }
 
-  private int hop(int from, int last, int to, int after) {
+  private int hop(int from, int previous, int to, int after) {
     long step = lastSent[from] + after;
-    long link = Draw.key(drawKey, ((long) last << 32) | to);
+    long link = Draw.key(drawKey, ((long) previous << 32) | to);
     long message = Draw.key(Draw.key(Draw.key(~link, step), from), messageNumbers[from]);
     return model.loss().loses(link, step, Draw.unit(message))
         ? LOST

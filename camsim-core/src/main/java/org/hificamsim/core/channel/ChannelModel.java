@@ -5,7 +5,7 @@ import java.util.stream.Stream;
 import org.hificamsim.core.registry.Options;
 
 /**
- * How messages between cameras are delayed and lost: the setting {@code channel} ({@code
+ * The delays and losses of messages between cameras: the setting {@code channel} ({@code
  * docs/channel.md}). A {@link Channel} applies it in a run.
  */
 public final class ChannelModel {

@@ -10,8 +10,9 @@ import org.hificamsim.core.registry.Options;
  *
  * @param text the delay as users write it
  * @param least the fewest steps of a uniform distribution
- * @param most the most steps of it; equal to {@code least} for a constant delay
- * @param mean the mean of an exponential distribution, rounded to whole steps; 0 for no such one
+ * @param most the most steps of that distribution; equal to {@code least} for a constant delay
+ * @param mean the mean of an exponential distribution, rounded to whole steps; 0 if the delay is
+ *     not exponential
  */
 record Delay(String text, int least, int most, double mean) {
   private static final int MAX = 10_000;
@@ -49,7 +50,7 @@ record Delay(String text, int least, int most, double mean) {
   /**
    * Returns the delay for a random draw.
    *
-   * @param draw in [0, 1)
+   * @param draw a random number in [0, 1)
    */
   int steps(double draw) {
     return mean > 0

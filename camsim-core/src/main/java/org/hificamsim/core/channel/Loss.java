@@ -59,7 +59,7 @@ record Loss(double mean, double burst, double h, double k) {
    * Whether a message is lost.
    *
    * @param link the key of all draws of the link
-   * @param draw of the message, in [0, 1)
+   * @param draw the random number of the message, in [0, 1)
    */
   boolean loses(long link, long step, double draw) {
     double lost = burst == 0 ? mean : 1 - (isBad(link, step) ? h : k);
@@ -74,8 +74,8 @@ record Loss(double mean, double burst, double h, double k) {
     double staysBad = 1 - chanceOfGood();
     double turnsBad = chanceOfBad();
     boolean inverted = false;
-    for (long at = step; ; at--) {
-      double draw = Draw.unit(Draw.key(link, at));
+    for (long earlier = step; ; earlier--) {
+      double draw = Draw.unit(Draw.key(link, earlier));
       if (draw < Math.min(turnsBad, staysBad)) {
         return !inverted;
       } else if (draw >= Math.max(turnsBad, staysBad)) {

@@ -63,19 +63,19 @@ final class RadioGraph {
 
   /** By receiver: the camera before it on the shortest path from a camera (breadth-first). */
   private int[] shortestPaths(int from) {
-    int[] last = new int[neighbours.length];
-    Arrays.fill(last, NONE);
+    int[] previous = new int[neighbours.length];
+    Arrays.fill(previous, NONE);
     int[] reached = new int[neighbours.length];
     reached[0] = from;
     int count = 1;
     for (int i = 0; i < count; i++) {
       for (int next : neighbours[reached[i]]) {
-        if (next != from && last[next] == NONE) {
-          last[next] = reached[i];
+        if (next != from && previous[next] == NONE) {
+          previous[next] = reached[i];
           reached[count++] = next;
         }
       }
     }
-    return last;
+    return previous;
   }
 }

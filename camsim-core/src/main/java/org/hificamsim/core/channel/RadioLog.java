@@ -2,7 +2,7 @@ package org.hificamsim.core.channel;
 
 import java.util.Arrays;
 
-/** The bits that each camera has sent and received in a step, where somebody wants to know. */
+/** The bits that each camera has sent and received in a step, if they are counted. */
 public final class RadioLog {
   /** Counts nothing. */
   public static final RadioLog NONE = new RadioLog(0);
@@ -52,7 +52,7 @@ public final class RadioLog {
     return sent[camera];
   }
 
-  /** The bits that a camera has sent so far, whatever was cleared. */
+  /** The bits that a camera has sent since the start of the run. */
   public long everSent(int camera) {
     return everSent[camera];
   }
@@ -62,7 +62,7 @@ public final class RadioLog {
     return received[camera];
   }
 
-  /** Starts a step. */
+  /** Starts a step: forgets the bits of the step before. */
   public void clear() {
     Arrays.fill(sent, 0);
     Arrays.fill(received, 0);

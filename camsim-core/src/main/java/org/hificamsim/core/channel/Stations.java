@@ -19,9 +19,9 @@ public interface Stations {
   /** Whether the camera is online: added, and not switched off by an event. */
   boolean online(int camera);
 
-  /** Metres. */
+  /** The x coordinate of a camera, metres. */
   double cameraX(int camera);
 
-  /** Metres. */
+  /** The y coordinate of a camera, metres. */
   double cameraY(int camera);
 }

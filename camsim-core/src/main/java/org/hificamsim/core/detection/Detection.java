@@ -49,9 +49,10 @@ public final class Detection {
   /**
    * Creates a detection by a threshold.
    *
-   * @param name in result files; distinguishes detections of one model with different thresholds
-   * @param threshold a target inside the field of view is detected if the model's value is at least
-   *     this
+   * @param name the name in result files; distinguishes detections of one model with different
+   *     thresholds
+   * @param threshold the least value of the model at which a target inside the field of view is
+   *     detected
    */
   public Detection(String name, DetectionModel model, double threshold) {
     this(
@@ -66,7 +67,7 @@ public final class Detection {
   /**
    * Creates a detection by a rule; the rule {@code threshold} takes the model's default threshold.
    *
-   * @param name in result files
+   * @param name the name in result files
    * @throws InputException if the rule needs a scatter or a number of false alarms and the model
    *     has none
    */
@@ -110,7 +111,7 @@ public final class Detection {
    * Returns the detection for a camera that looks from above or below; its model takes distances
    * over the ground.
    *
-   * @param rise height of the camera above the part to be seen, metres
+   * @param rise the height of the camera above the part to be seen, metres
    * @param foreshortened whether targets seen from above look shorter
    */
   public Detection inSpace(double rise, boolean foreshortened) {
@@ -140,7 +141,7 @@ public final class Detection {
    * The number of phantoms that a camera reports in a step: by the number of false alarms that the
    * model knows, a Poisson variable; else 0 or 1, by the chance of the rule.
    *
-   * @param luck in [0, 1)
+   * @param luck the luck, in [0, 1)
    */
   public int phantoms(double luck) {
     return rule.phantoms() > 0 && model.phantoms().isPresent()
@@ -180,7 +181,7 @@ public final class Detection {
    * Whether a target with this value is detected; NaN never is. The transmittance multiplies the
    * value under a threshold, and otherwise the chance.
    *
-   * @param luck of the pair of camera and target, in [0, 1); ignored under a threshold
+   * @param luck the luck of the pair of camera and target, in [0, 1); ignored under a threshold
    * @param transmittance the part of the target's light that reaches the camera, in [0, 1]
    */
   public boolean detects(double value, double luck, double transmittance) {

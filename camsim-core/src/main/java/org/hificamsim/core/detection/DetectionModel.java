@@ -4,7 +4,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * How confident a camera is that it detects a target: an extension point, found by {@link #name}.
+ * Computes how confident a camera is that it detects a target: an extension point, found by {@link
+ * #name}.
  *
  * <p>An implementer writes {@link #name} and {@link #confidence}, and overrides the other methods
  * if the default threshold is not one half, the model depends on the bearing, or its values are not
@@ -95,7 +96,7 @@ public interface DetectionModel {
     return false;
   }
 
-  /** The part of a target that must be seen, unless the scenario says so. */
+  /** The part of a target that must be seen if the scenario does not give it. */
   default Seen seen() {
     return Seen.WHOLE;
   }

@@ -6,7 +6,8 @@ import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
 
 /**
- * How a model's value becomes a detection: the setting {@code detect} ({@code docs/detection.md}).
+ * The rule by which a model's value becomes a detection: the setting {@code detect} ({@code
+ * docs/detection.md}).
  */
 public sealed interface DetectionRule {
   /** The rule as users write it, with the options that differ from their defaults. */
@@ -66,7 +67,7 @@ public sealed interface DetectionRule {
    * alarms happen with or without the target, and cover nothing.
    *
    * @param alpha the rate of false alarms, (0, 0.5]
-   * @param memory steps, 1 or more
+   * @param memory the steps for which a camera keeps its luck with a target, 1 or more
    * @param withPhantoms whether cameras report phantoms
    */
   record Chance(double alpha, int memory, boolean withPhantoms) implements DetectionRule {
@@ -105,7 +106,7 @@ public sealed interface DetectionRule {
   /**
    * Detects a target with a chance that equals its value, clamped to [0, 1].
    *
-   * @param memory steps, 1 or more
+   * @param memory the steps for which a camera keeps its luck with a target, 1 or more
    * @param withPhantoms whether cameras report phantoms, as many as the model knows
    */
   record Probability(int memory, boolean withPhantoms) implements DetectionRule {

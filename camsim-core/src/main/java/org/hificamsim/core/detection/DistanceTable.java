@@ -30,7 +30,7 @@ public final class DistanceTable {
   /**
    * Creates a table with as few bins as are accurate enough.
    *
-   * @param radius metres, above 0
+   * @param radius the radius, metres, above 0
    */
   public static DistanceTable of(double radius, DoubleUnaryOperator function) {
     int bins = MIN_BINS;
@@ -45,7 +45,7 @@ public final class DistanceTable {
   /**
    * Creates a table with {@value #MAX_BINS} bins.
    *
-   * @param radius metres, above 0
+   * @param radius the radius, metres, above 0
    * @param listener receives the samples of each bin
    */
   DistanceTable(double radius, DoubleUnaryOperator function, SampleListener listener) {
@@ -84,14 +84,14 @@ public final class DistanceTable {
     double first = samples[third] - samples[0];
     double second = samples[2 * third] - samples[third];
     double last = samples[SAMPLES] - samples[2 * third];
-    int at = bin * TERMS;
-    cubic[at] = samples[0];
-    cubic[at + 1] = first;
-    cubic[at + 2] = (second - first) / 2;
-    cubic[at + 3] = (last - 2 * second + first) / 6;
+    int offset = bin * TERMS;
+    cubic[offset] = samples[0];
+    cubic[offset + 1] = first;
+    cubic[offset + 2] = (second - first) / 2;
+    cubic[offset + 3] = (last - 2 * second + first) / 6;
     for (int i = 0; i <= SAMPLES; i++) {
-      if (!(Math.abs(cubic(at, 3.0 * i / SAMPLES) - samples[i]) <= TOLERANCE)) {
-        cubic[at] = Double.NaN;
+      if (!(Math.abs(cubic(offset, 3.0 * i / SAMPLES) - samples[i]) <= TOLERANCE)) {
+        cubic[offset] = Double.NaN;
         return;
       }
     }
@@ -100,11 +100,11 @@ public final class DistanceTable {
   /**
    * Evaluates the cubic of a bin.
    *
-   * @param s position in the bin, in thirds, [0, 3]
+   * @param s the position in the bin, in thirds, [0, 3]
    */
-  private double cubic(int at, double s) {
-    double sum = cubic[at + 2] + (s - 2) * cubic[at + 3];
-    return cubic[at] + s * (cubic[at + 1] + (s - 1) * sum);
+  private double cubic(int offset, double s) {
+    double sum = cubic[offset + 2] + (s - 2) * cubic[offset + 3];
+    return cubic[offset] + s * (cubic[offset + 1] + (s - 1) * sum);
   }
 
   /** The bin of a distance in metres. */

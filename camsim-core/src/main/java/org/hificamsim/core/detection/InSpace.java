@@ -6,15 +6,15 @@ import java.util.OptionalDouble;
 /**
  * Evaluates a model at distances in space, given distances over the ground.
  *
- * @param model evaluated at distances in space
- * @param rise height of the camera above the part to be seen, metres
+ * @param model the model, which is evaluated at distances in space
+ * @param rise the height of the camera above the part to be seen, metres
  * @param foreshortened whether an upright target seen from above looks shorter, by the cosine of
  *     the angle of depression: the weak perspective of Hartley and Zisserman, Multiple View
  *     Geometry (2004), section 6.3. The size is the root of the area, so it shrinks by the root of
  *     the cosine
  */
 record InSpace(DetectionModel model, double rise, boolean foreshortened) implements DetectionModel {
-  /** Keeps sizes above 0, since models take their logarithm. */
+  /** The least cosine, which keeps sizes above 0, since models take their logarithm. */
   private static final double MIN_COSINE = 1e-9;
 
   @Override

@@ -64,7 +64,7 @@ final class NormalDistribution {
   /**
    * Returns the number below which a standard normal number is with this chance.
    *
-   * @param chance in (0, 1)
+   * @param chance the chance in (0, 1)
    */
   static double quantile(double chance) {
     double low = -END;

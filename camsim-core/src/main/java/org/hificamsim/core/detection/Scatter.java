@@ -39,21 +39,21 @@ public record Scatter(double background, double rmse, double least, double growt
 
   /** The chance that the background is measured with a confidence of at least a threshold. */
   public double falseAlarms(double threshold) {
-    return reaching(background, threshold);
+    return chanceOfReaching(background, threshold);
   }
 
   /**
    * The chance that a target is measured with a confidence of at least a threshold, without those
    * measurements that would be false alarms; in [0, 1], 0 if the value is NaN.
    *
-   * @param value of the model
+   * @param value the value of the model
    */
   public double chance(double value, double threshold) {
-    double gained = reaching(value, threshold) - falseAlarms(threshold);
-    return gained > ROUNDING ? gained / (1 - falseAlarms(threshold)) : 0;
+    double gain = chanceOfReaching(value, threshold) - falseAlarms(threshold);
+    return gain > ROUNDING ? gain / (1 - falseAlarms(threshold)) : 0;
   }
 
-  private double reaching(double value, double threshold) {
+  private double chanceOfReaching(double value, double threshold) {
     return NormalDistribution.cdf((value - threshold) / deviation(value));
   }
 
@@ -65,7 +65,7 @@ public record Scatter(double background, double rmse, double least, double growt
    */
   public double half(double threshold) {
     double deviations = NormalDistribution.quantile((1 + falseAlarms(threshold)) / 2);
-    double gained = (threshold - background + deviations * least) / (1 - deviations * growth);
-    return deviations * growth < 1 ? background + gained : Double.POSITIVE_INFINITY;
+    double gain = (threshold - background + deviations * least) / (1 - deviations * growth);
+    return deviations * growth < 1 ? background + gain : Double.POSITIVE_INFINITY;
   }
 }

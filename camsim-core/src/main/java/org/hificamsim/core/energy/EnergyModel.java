@@ -15,8 +15,8 @@ import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 
 /**
- * What cameras take for each {@link EnergyFigure}, and what their batteries hold: the setting
- * {@code energy} ({@code docs/energy.md}). A {@code EnergyMeter} applies it in a run.
+ * The energy that cameras take for each {@link EnergyFigure}, and the charge of their batteries:
+ * the setting {@code energy} ({@code docs/energy.md}). A {@code EnergyMeter} applies it in a run.
  */
 public final class EnergyModel {
   /** Nothing takes energy, and nothing is measured. */
@@ -65,8 +65,8 @@ public final class EnergyModel {
   }
 
   /**
-   * Parses the same, or reads it from a file with a name or figure in each line, and comments after
-   * {@code #}.
+   * Parses a text like {@link #parse}, or reads a file with a name or figure in each line and
+   * comments after {@code #}.
    */
   public static EnergyModel parseOrRead(String text) {
     Path file = Path.of(text);

@@ -3,10 +3,10 @@ package org.hificamsim.core.engine;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * How the cameras of a run act.
+ * The behaviour of the cameras of a run.
  *
- * @param policy chooses each camera's view
- * @param cooperation what the cameras do together
+ * @param policy the policy that chooses each camera's view
+ * @param cooperation the joint actions of the cameras
  */
 public record Behaviour(ZoomPolicy policy, Cooperation cooperation) {
   /** Cameras that act by a policy alone. */

@@ -19,7 +19,7 @@ final class BudgetedSight {
   private final double[] confidences;
   private final long[] gridPoints;
 
-  /** How many targets the camera of the last {@link #preview} knows. */
+  /** The number of targets that the camera of the last {@link #preview} knows. */
   private int known;
 
   BudgetedSight(World world, Sight sight, LateDetections late) {
@@ -44,7 +44,9 @@ final class BudgetedSight {
     }
   }
 
-  /** Finds what a camera detects now; returns how many targets, -1 while it sees nothing. */
+  /**
+   * Finds the targets that a camera detects now; returns their number, or -1 if it sees nothing.
+   */
   private int find(int camera) {
     int view = cameras.online(camera) ? cameras.seeing(camera) : Cameras.NO_VIEW;
     int count = sight.find(camera, view, gridPoints);
@@ -55,7 +57,7 @@ final class BudgetedSight {
     return view == Cameras.NO_VIEW ? -1 : count;
   }
 
-  /** Finds what a camera knows now; returns how many targets it processes at once. */
+  /** Finds the targets that a camera knows now; returns the number that it processes at once. */
   private int preview(int camera) {
     int seen = find(camera);
     known = seen < 0 ? 0 : late.preview(camera, found, confidences, seen);
@@ -87,7 +89,7 @@ final class BudgetedSight {
     return index(target) < fresh ? targets.y(target) : late.y(camera, target);
   }
 
-  /** The confidence for a target as the camera knows it: 0 if it has to wait. */
+  /** The confidence for a target as the camera knows it; 0 if the detection is late. */
   double confidence(int camera, int target) {
     preview(camera);
     int index = index(target);

@@ -4,8 +4,9 @@ import java.util.Arrays;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * How far the cameras of a run have turned and zoomed, and how often they changed their views: what
- * wears their motors. A camera's first view does not count as a move; cameras may join later.
+ * The distances that the cameras of a run have turned and zoomed, and the changes of their views,
+ * all of which wear their motors. A camera's first view does not count as a move; cameras may join
+ * later.
  */
 public final class CameraMoves {
   private int[] views = {};

@@ -5,17 +5,17 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.visibility.Visibility;
 
 /**
- * What the cameras of a network do together in a step, such as failing, looking, trading and
+ * The joint actions of the cameras of a network in a step, such as failing, looking, trading and
  * handing over targets.
  */
 public interface Cooperation {
-  /** Cameras do nothing together. */
+  /** No joint actions. */
   Cooperation NONE = new Cooperation() {};
 
   /**
    * The rules by which cameras see with a detection model; called once, before {@link #begin}.
    *
-   * @param seed of the run
+   * @param seed the seed of the run
    */
   default Visibility visibility(Detection detection, long seed) {
     return Visibility.of(detection, seed);
@@ -40,7 +40,7 @@ public interface Cooperation {
   /** Called after the observation. */
   default void cooperate() {}
 
-  /** The sums of what the cameras did so far. */
+  /** The sums of the joint actions so far. */
   default NetworkSums sums() {
     return NetworkSums.NONE;
   }

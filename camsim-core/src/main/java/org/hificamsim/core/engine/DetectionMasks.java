@@ -38,14 +38,14 @@ final class DetectionMasks {
       mark(camera, views, 0, grid.count(), masks, words);
       return;
     }
-    double far = 0;
+    double farthestReach = 0;
     for (int view = 0; view < views; view++) {
-      far = Math.max(far, levels.reach(cameras.zoomNumber(camera, view)));
+      farthestReach = Math.max(farthestReach, levels.reach(cameras.zoomNumber(camera, view)));
     }
-    int left = grid.column(cameras.x(camera) - far);
-    int right = grid.column(cameras.x(camera) + far);
-    int top = grid.row(cameras.y(camera) + far);
-    for (int row = grid.row(cameras.y(camera) - far); row <= top; row++) {
+    int left = grid.column(cameras.x(camera) - farthestReach);
+    int right = grid.column(cameras.x(camera) + farthestReach);
+    int top = grid.row(cameras.y(camera) + farthestReach);
+    for (int row = grid.row(cameras.y(camera) - farthestReach); row <= top; row++) {
       mark(camera, views, grid.start(row, left), grid.end(row, right), masks, words);
     }
   }

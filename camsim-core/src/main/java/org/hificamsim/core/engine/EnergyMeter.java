@@ -23,13 +23,14 @@ import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 
 /**
- * Measures what each camera takes in each step, and switches off cameras whose battery is empty.
+ * Measures the energy that each camera takes in each step, and switches off cameras whose battery
+ * is empty.
  *
- * <p>A camera that its battery lets see a whole step sees it: it goes offline after the step in
- * which the battery ran empty, for ever, as by an event.
+ * <p>A camera whose battery runs empty in a step still sees through that step. Afterwards it is
+ * offline for the rest of the run, as by an event.
  */
 public final class EnergyMeter {
-  private static final double HEIGHT_OF_PICTURE = 0.75; // of its width
+  private static final double PICTURE_HEIGHT_OVER_WIDTH = 0.75;
 
   private final EnergyModel model;
   private final World world;
@@ -43,7 +44,7 @@ public final class EnergyMeter {
   private final double[] left;
   private final double[] lastPan;
   private final int[] lastZoom;
-  private final boolean[] wasThere;
+  private final boolean[] measuredBefore;
   private long steps;
   private int empty;
   private long coveredTargets;
@@ -69,7 +70,7 @@ public final class EnergyMeter {
     Arrays.fill(left, model.battery());
     lastPan = new double[count];
     lastZoom = new int[count];
-    wasThere = new boolean[count];
+    measuredBefore = new boolean[count];
   }
 
   /** Measures a step that has been observed; called before targets move on. */
@@ -105,7 +106,7 @@ public final class EnergyMeter {
       return taken;
     }
     ZoomLevel zoom = cameras.zoom(camera, view);
-    double pixels = HEIGHT_OF_PICTURE * zoom.pixels() * zoom.pixels();
+    double pixels = PICTURE_HEIGHT_OVER_WIDTH * zoom.pixels() * zoom.pixels();
     return taken
         + take(camera, SENSE, 1)
         + take(camera, PIXEL, pixels)
@@ -119,8 +120,9 @@ public final class EnergyMeter {
     double degrees =
         Math.toDegrees(Math.abs(Math.IEEEremainder(pan - lastPan[camera], 2 * Math.PI)));
     int levels = Math.abs(zoom - lastZoom[camera]);
-    double taken = wasThere[camera] ? take(camera, PAN, degrees) + take(camera, ZOOM, levels) : 0;
-    wasThere[camera] = true;
+    double taken =
+        measuredBefore[camera] ? take(camera, PAN, degrees) + take(camera, ZOOM, levels) : 0;
+    measuredBefore[camera] = true;
     lastPan[camera] = pan;
     lastZoom[camera] = zoom;
     return taken;

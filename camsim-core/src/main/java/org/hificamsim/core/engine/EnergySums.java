@@ -3,7 +3,7 @@ package org.hificamsim.core.engine;
 /**
  * The energy of a run so far.
  *
- * @param joules of all cameras; NaN if nothing is measured
+ * @param joules the joules of all cameras; NaN if nothing is measured
  * @param firstEmpty the number of steps until the first battery was empty; NaN if none is
  * @param halfEmpty the number of steps until half the batteries were empty; NaN before that
  * @param coveredUntilFirst the share of targets covered until then, by any camera; NaN before that

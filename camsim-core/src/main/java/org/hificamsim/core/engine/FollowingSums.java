@@ -1,14 +1,14 @@
 package org.hificamsim.core.engine;
 
 /**
- * How the cameras of a run followed targets so far; NaN where there was nothing to measure.
+ * The measures of how cameras have followed targets so far; NaN where there was nothing to measure.
  *
- * @param stepsToFind from the appearance of a target until a camera first covers it, mean over the
- *     appearances that were found
- * @param stepsToFindAgain for which a lost target is covered by no camera, mean over the losses
+ * @param stepsToFind the steps from the appearance of a target until a camera first covers it, mean
+ *     over the appearances that were found
+ * @param stepsToFindAgain the steps for which no camera covers a lost target, mean over the losses
  *     that ended
  * @param losses the number of times that no camera covered a target any more, though it was there
- * @param endedLosses those of them after which a camera covered the target again
+ * @param endedLosses the number of losses after which a camera covered the target again
  * @param unbroken the longest time for which a target was covered without a gap, as a share of the
  *     time for which it was there; mean over targets
  * @param handovers the number of times that a target passed from one camera to another without a

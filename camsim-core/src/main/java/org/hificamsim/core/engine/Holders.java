@@ -5,12 +5,12 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 
 /**
- * Which camera has each target. A camera that has a target keeps it for as long as it covers it;
- * then the nearest camera that covers it has it, of equally near ones the one with the lowest
- * number.
+ * Finds out which camera holds each target. A camera holds a target for as long as it covers it;
+ * then the nearest camera that covers the target holds it, the one with the lowest number if
+ * several are equally near.
  */
 public final class Holders {
-  /** The camera of a target that no camera has. */
+  /** The holder of a target that no camera holds. */
   public static final int NONE = -1;
 
   private final SeenPairs pairs = new SeenPairs();
@@ -18,7 +18,7 @@ public final class Holders {
   private int[] nearestCameras = {};
   private double[] nearestDistances = {};
 
-  /** Takes in the observation of a step, which may be the first one. */
+  /** Updates the holders by the observation of a step. */
   public void update(NetworkView network) {
     if (holders.length < network.targets()) {
       grow(network.targets());
@@ -26,15 +26,15 @@ public final class Holders {
     Arrays.fill(nearestCameras, NONE);
     network.findSeen(pairs);
     for (int pair = 0; pair < pairs.count(); pair++) {
-      offer(pairs.target(pair), pairs.camera(pair), pairs.distance(pair));
+      consider(pairs.target(pair), pairs.camera(pair), pairs.distance(pair));
     }
     for (int target = 0; target < network.targets(); target++) {
       holders[target] = network.present(target) ? nearestCameras[target] : NONE;
     }
   }
 
-  /** The camera that has the target already counts as the nearest. */
-  private void offer(int target, int camera, double distance) {
+  /** Considers a camera that covers a target; the present holder counts as the nearest. */
+  private void consider(int target, int camera, double distance) {
     double rank = camera == holders[target] ? -1 : distance;
     if (nearestCameras[target] == NONE || rank < nearestDistances[target]) {
       nearestCameras[target] = camera;
@@ -50,7 +50,7 @@ public final class Holders {
     nearestDistances = new double[targets];
   }
 
-  /** The camera that has a target, or {@link #NONE}. */
+  /** The camera that holds a target, or {@link #NONE}. */
   public int holder(int target) {
     return holders[target];
   }

@@ -8,10 +8,10 @@ import org.hificamsim.core.world.World;
 
 /**
  * Gives each camera as many detections as it can process in a step, the nearest targets first, of
- * equally near ones those with lower numbers; the others come in the next step, as they were.
+ * equally near ones those with lower numbers; the others reach it in the next step, unchanged.
  *
- * <p>They come with the picture of the next step: a camera that sees nothing then, because it is
- * off, asleep or on its way, drops them.
+ * <p>Late detections come with the picture of the next step: a camera that sees nothing then,
+ * because it is off, asleep or on its way, drops them.
  */
 public final class LateDetections {
   /** Nothing is late. */
@@ -53,10 +53,10 @@ public final class LateDetections {
   private final Cameras cameras;
   private final Targets targets;
 
-  /** By camera, what comes in this step. */
+  /** By camera: the late detections that come in this step. */
   private Backlog[] due;
 
-  /** By camera, what comes in the next step. */
+  /** By camera: the late detections that come in the next step. */
   private Backlog[] waiting;
 
   private LateDetections() {
@@ -82,11 +82,11 @@ public final class LateDetections {
     return limit < ProcessingBudget.UNLIMITED.detections();
   }
 
-  /** Begins a step: what waited comes now. */
+  /** Begins a step, in which the detections that waited are due. */
   void beginStep() {
-    Backlog[] come = waiting;
+    Backlog[] waited = waiting;
     waiting = due;
-    due = come;
+    due = waited;
     for (Backlog backlog : waiting) {
       backlog.count = 0;
     }
@@ -154,7 +154,7 @@ public final class LateDetections {
     Backlog late = due[camera];
     int known = fresh;
     for (int i = 0; i < late.count; i++) {
-      if (targets.present(late.targets[i]) && !has(found, fresh, late.targets[i])) {
+      if (targets.present(late.targets[i]) && !contains(found, fresh, late.targets[i])) {
         found[known] = late.targets[i];
         confidences[known++] = late.confidences[i];
       }
@@ -162,12 +162,12 @@ public final class LateDetections {
     return known;
   }
 
-  private static boolean has(int[] found, int count, int target) {
-    boolean has = false;
+  private static boolean contains(int[] found, int count, int target) {
+    boolean contained = false;
     for (int i = 0; i < count; i++) {
-      has |= found[i] == target;
+      contained |= found[i] == target;
     }
-    return has;
+    return contained;
   }
 
   /** The x coordinate of a target when a camera detected it, a step before it is known; metres. */
@@ -175,7 +175,7 @@ public final class LateDetections {
     return due[camera].x[due[camera].index(target)];
   }
 
-  /** The same, metres. */
+  /** The y coordinate of a target when a camera detected it, a step before it is known; metres. */
   double y(int camera, int target) {
     return due[camera].y[due[camera].index(target)];
   }

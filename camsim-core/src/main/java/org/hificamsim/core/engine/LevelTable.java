@@ -7,8 +7,9 @@ import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 
 /**
- * What each zoom level detects, by the level's number ({@link Cameras#zoomNumber}). It is computed
- * when a level is first used, once for each body of targets.
+ * The distances at which each zoom level detects targets, by the level's number ({@link
+ * Cameras#zoomNumber}). They are computed when a level is first used, once for each body of
+ * targets.
  */
 final class LevelTable {
   private final Cameras cameras;
@@ -90,7 +91,10 @@ final class LevelTable {
     return reach[number];
   }
 
-  /** The mean distance at which cameras see, metres. */
+  /**
+   * The mean over the cameras of the distance at which they see, metres: the geometric mean of the
+   * reaches of the narrowest and the widest level of a lens.
+   */
   double meanReach() {
     double sum = 0;
     for (int camera = 0; camera < cameras.count(); camera++) {
@@ -99,8 +103,7 @@ final class LevelTable {
       sum +=
           widest.hasLens()
               ? Math.sqrt(
-                  reach[cameras.zoomNumber(camera, 0)]
-                      * reach[cameras.zoomNumber(camera, last)]) // of the narrowest and the widest
+                  reach[cameras.zoomNumber(camera, 0)] * reach[cameras.zoomNumber(camera, last)])
               : widest.radius();
     }
     return sum / cameras.count();

@@ -24,8 +24,8 @@ public interface NetworkModel {
   /**
    * Makes the cooperation of one run.
    *
-   * @param world before its first step
-   * @param seed of the run
+   * @param world the world before its first step
+   * @param seed the seed of the run
    * @throws org.hificamsim.core.InputException if a camera names an unknown part
    */
   Cooperation begin(World world, Detection detection, long seed);

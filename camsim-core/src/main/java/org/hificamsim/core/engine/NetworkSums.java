@@ -1,15 +1,15 @@
 package org.hificamsim.core.engine;
 
 /**
- * What the cameras of a network did together, summed over all steps so far.
+ * The sums of the joint actions of a network's cameras over all steps so far.
  *
  * @param utility the visibility of the targets that cameras own, weighted by their range
  * @param messages the delivered messages that the network counts
- * @param bits of all messages
+ * @param bits the bits of all messages
  * @param invitations the attempted messages that the network counts
- * @param handovers targets that passed from one camera to another
- * @param overlap of fields of view, square metres, by the network's own formula
- * @param confidence relative confidences of cameras
+ * @param handovers the number of times that a target passed from one camera to another
+ * @param overlap the overlap of fields of view, square metres, by the network's own formula
+ * @param confidence the sum of the relative confidences of cameras
  * @param tracked the share of targets that an owner sees
  */
 public record NetworkSums(

@@ -58,12 +58,12 @@ public final class Observation {
     return budgeted;
   }
 
-  /** How many targets each camera detects, 0 while offline; one entry for each camera. */
+  /** The number of targets that each camera detects, 0 while offline; one entry for each camera. */
   public int[] detected() {
     return detected;
   }
 
-  /** How many cameras detect each target; one entry for each target. */
+  /** The number of cameras that detect each target; one entry for each target. */
   public int[] coverage() {
     return coverage;
   }

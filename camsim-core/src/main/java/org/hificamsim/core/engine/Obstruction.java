@@ -6,8 +6,8 @@ import org.hificamsim.core.world.SightLines;
 import org.hificamsim.core.world.World;
 
 /**
- * What hides targets from cameras: whole lines of sight, or shares of targets if the detection
- * model depends on them.
+ * Computes how far targets are hidden from cameras: by blocked lines of sight, or by degrees if the
+ * detection model depends on hidden shares.
  */
 final class Obstruction {
   private final SightLines lines;

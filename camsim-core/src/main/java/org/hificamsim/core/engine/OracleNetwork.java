@@ -3,7 +3,7 @@ package org.hificamsim.core.engine;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.world.World;
 
-/** An observed network that also answers what no camera knows. */
+/** An observed network that also has the knowledge that no camera has. */
 class OracleNetwork extends ObservedNetwork implements OracleView {
   OracleNetwork(World world, Sight sight, Observation observation) {
     super(world, sight, observation);

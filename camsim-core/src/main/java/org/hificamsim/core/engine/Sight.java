@@ -15,12 +15,12 @@ import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /**
- * Answers what cameras can see where everything is now: {@link Visibility}, asked for many targets
- * at a time.
+ * Finds what cameras can see at the present positions of everything: {@link Visibility} for many
+ * targets at a time.
  *
  * <p>Where there are many targets, a camera looks only at those in the grid cells that its reach
- * touches. The distance test is unpredictable, so we read the sign bit of a difference of squared
- * distances instead of branching. A camera that detects every target within reach ({@link
+ * touches. The distance test is unpredictable, so the sign bit of a difference of squared distances
+ * is read instead of branching. A camera that detects every target within reach ({@link
  * LevelTable#detectsAllInReach}) needs no other test.
  */
 final class Sight {
@@ -48,7 +48,7 @@ final class Sight {
   }
 
   /**
-   * @param side of the grid's cells, metres; NaN to choose one
+   * @param side the side of the grid's cells, metres; NaN to choose one
    */
   Sight(World world, Visibility visibility, double side) {
     this.cameras = world.cameras();
@@ -220,7 +220,7 @@ final class Sight {
     return DetectionModel.clamp(value * obstruction.transmittance(camera, target));
   }
 
-  /** A target that is seen is not hidden: only partly transparent obstacles matter. */
+  /** Only partly transparent obstacles matter, since a target that is seen is not hidden. */
   double seenConfidence(int camera, int target, double distance) {
     if (obstruction.byShares()) {
       return confidence(camera, target);
@@ -248,7 +248,7 @@ final class Sight {
         || cameras.pan(camera, view) == cameras.pan(camera, other);
   }
 
-  /** Rounded up. */
+  /** The distance beyond which a camera detects nothing in a view, metres; rounded up. */
   double reach(int camera, int view) {
     return levels.reach(cameras.zoomNumber(camera, view));
   }
@@ -308,7 +308,7 @@ final class Sight {
    *
    * @param view {@link Cameras#NO_VIEW} sees none
    * @param found receives their indices in the grid
-   * @return how many there are; the next entry may be written, too
+   * @return the number of indices; one more entry may be written
    */
   int find(int camera, int view, long[] found) {
     if (view == Cameras.NO_VIEW) {
@@ -317,12 +317,12 @@ final class Sight {
     if (grid.cells() == 1) {
       return find(camera, view, 0, grid.count(), found, 0);
     }
-    double far = reach(camera, view);
-    int left = grid.column(cameras.x(camera) - far);
-    int right = grid.column(cameras.x(camera) + far);
-    int top = grid.row(cameras.y(camera) + far);
+    double reach = reach(camera, view);
+    int left = grid.column(cameras.x(camera) - reach);
+    int right = grid.column(cameras.x(camera) + reach);
+    int top = grid.row(cameras.y(camera) + reach);
     int filled = 0;
-    for (int row = grid.row(cameras.y(camera) - far); row <= top; row++) {
+    for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
       filled = find(camera, view, grid.start(row, left), grid.end(row, right), found, filled);
     }
     return filled;
@@ -374,12 +374,12 @@ final class Sight {
   }
 
   int chances(int camera, int view, int[] possible, double[] chances) {
-    double far = reach(camera, view);
-    int left = grid.column(cameras.x(camera) - far);
-    int right = grid.column(cameras.x(camera) + far);
-    int top = grid.row(cameras.y(camera) + far);
+    double reach = reach(camera, view);
+    int left = grid.column(cameras.x(camera) - reach);
+    int right = grid.column(cameras.x(camera) + reach);
+    int top = grid.row(cameras.y(camera) + reach);
     int count = 0;
-    for (int row = grid.row(cameras.y(camera) - far); row <= top; row++) {
+    for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
       int end = grid.end(row, right);
       for (int i = grid.start(row, left); i < end; i++) {
         chances[count] = chance(camera, view, grid.point(i));

@@ -66,9 +66,9 @@ public final class Simulation {
   /**
    * Prepares a run without a {@link Cooperation}: cameras act by their policy alone.
    *
-   * @param world before its first step
+   * @param world the world before its first step
    * @param seed seeds the policy's generator and the luck of detections; the world has its own seed
-   * @param listeners called in this order at the end of each step
+   * @param listeners the listeners, called in this order at the end of each step
    */
   public Simulation(
       World world,
@@ -82,10 +82,10 @@ public final class Simulation {
   /**
    * Prepares a run.
    *
-   * @param world before its first step
+   * @param world the world before its first step
    * @param seed seeds the policy's generator and the luck of detections; world and cooperation have
    *     seeds of their own
-   * @param listeners called in this order at the end of each step
+   * @param listeners the listeners, called in this order at the end of each step
    */
   public Simulation(
       World world,
@@ -122,7 +122,7 @@ public final class Simulation {
     policy.begin(policyView, new SplittableRandom(seed));
   }
 
-  /** Bounds tell what cameras could do that process all that they see. */
+  /** Bounds have no late detections: they bound cameras that process all that they see. */
   private LateDetections lateDetections() {
     ProcessingBudget budget = world.scenario().processing();
     return budget.isUnlimited() || policy instanceof OraclePolicy
@@ -130,7 +130,7 @@ public final class Simulation {
         : new LateDetections(world, budget);
   }
 
-  /** Counts the bits that cameras send from now on, if nobody has asked for it before. */
+  /** Counts the bits that cameras send from now on; returns the same log at every call. */
   public RadioLog countMessages() {
     if (!known.radio().counts()) {
       RadioLog radio = new RadioLog(world.cameras().count());
@@ -141,9 +141,9 @@ public final class Simulation {
   }
 
   /**
-   * Makes the next step count as this one, for a world that has been through those before.
+   * Gives the next step a number, for a world that has been through the steps before it.
    *
-   * @param nextStep 0 or more
+   * @param nextStep the number of the next step, 0 or more
    * @return this simulation
    */
   public Simulation continuingAt(long nextStep) {
@@ -205,7 +205,7 @@ public final class Simulation {
     }
   }
 
-  /** Also where nothing moves, targets are located here, once for the whole step. */
+  /** Locates the targets for the whole step, in both orders. */
   void moveBeforeLooking() {
     if (order == StepOrder.CAMSIM) {
       world.moveTargets();
@@ -260,7 +260,7 @@ public final class Simulation {
     policy.learn(policyView);
   }
 
-  /** Measures for the listeners, who are told next; the policy has learned already. */
+  /** Measures the step for the listeners, after the policy has learned. */
   void measure() {
     coverage.measure(oracle);
     coverage.measureScore(oracle);

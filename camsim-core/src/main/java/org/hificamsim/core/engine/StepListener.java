@@ -30,7 +30,7 @@ public interface StepListener {
   /**
    * Called once before the first step, for listeners that also report what the policy knows.
    *
-   * @param policy of this run; may be queried, must not be driven
+   * @param policy the policy of this run; may be queried, must not be driven
    */
   default void started(OracleView network, ZoomPolicy policy) {
     started(network);

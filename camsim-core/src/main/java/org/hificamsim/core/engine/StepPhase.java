@@ -23,7 +23,7 @@ public enum StepPhase {
   LEARN,
   /** Coverage and score are measured. */
   MEASURE,
-  /** The listeners are called, while all is still where it was observed. */
+  /** The listeners are called, before anything moves. */
   REPORT,
   /** Targets move, where cameras look before they move (the coverage study's order). */
   MOVE_AFTER_LOOKING

@@ -11,6 +11,7 @@ import org.hificamsim.core.policy.OracleView;
  * found as if it were new.
  */
 public final class TargetFollowing implements StepListener {
+  /** The history of one target since it appeared. */
   private static final class Life {
     private long present;
     private long longestCover;

@@ -61,8 +61,8 @@ public final class CsvTable implements Rows {
     return text.startsWith("'") && isFormula(text, 1) ? text.substring(1) : text;
   }
 
-  private static boolean isFormula(String text, int at) {
-    return text.length() > at && "=+-@\t\r".indexOf(text.charAt(at)) >= 0;
+  private static boolean isFormula(String text, int start) {
+    return text.length() > start && "=+-@\t\r".indexOf(text.charAt(start)) >= 0;
   }
 
   @Override

@@ -14,10 +14,10 @@ final class DoubleTexts {
 
   /** Returns the text of a number. */
   String text(double number) {
-    long wanted = Double.doubleToRawLongBits(number);
-    int slot = (int) ((wanted * GOLDEN_RATIO) >>> (Long.SIZE - SLOT_BITS));
-    if (texts[slot] == null || bits[slot] != wanted) {
-      bits[slot] = wanted;
+    long numberBits = Double.doubleToRawLongBits(number);
+    int slot = (int) ((numberBits * GOLDEN_RATIO) >>> (Long.SIZE - SLOT_BITS));
+    if (texts[slot] == null || bits[slot] != numberBits) {
+      bits[slot] = numberBits;
       texts[slot] = Double.toString(number);
     }
     return texts[slot];

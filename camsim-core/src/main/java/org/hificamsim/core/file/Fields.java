@@ -33,7 +33,7 @@ public interface Fields {
   /**
    * Reads a finite number.
    *
-   * @param name of the field, for messages
+   * @param name the name of the field, for messages
    * @throws InputException if the field is missing, not a number, or not valid
    */
   default double number(int field, String name, String expected, DoublePredicate valid) {

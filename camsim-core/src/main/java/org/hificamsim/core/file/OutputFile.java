@@ -73,7 +73,7 @@ public final class OutputFile implements Closeable {
   public static OutputFile inFolder(String option, Path path, boolean replaces) {
     Path folder = path.toAbsolutePath().getParent();
     if (folder != null) {
-      OutputFolder.made(folder);
+      OutputFolder.create(folder);
     }
     return of(option, path, replaces);
   }
@@ -143,7 +143,8 @@ public final class OutputFile implements Closeable {
     return new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8), BUFFER);
   }
 
-  static void move(Path draft, Path place) throws IOException {
-    Files.move(draft, place, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+  static void move(Path draft, Path destination) throws IOException {
+    Files.move(
+        draft, destination, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
   }
 }

@@ -62,7 +62,7 @@ public final class OutputFolder implements Closeable {
    * @param beforeChange called before each change on the disk
    */
   OutputFolder(Path folder, Runnable beforeChange) {
-    this.folder = made(folder);
+    this.folder = create(folder);
     this.drafts = folder.resolve(DRAFTS);
     this.beforeChange = beforeChange;
     try {
@@ -77,7 +77,8 @@ public final class OutputFolder implements Closeable {
       if (isCommitted(folder)) {
         moveAll();
       }
-      deleteDrafts(); // those of a killed process
+      // A killed process may have left drafts.
+      deleteDrafts();
       record = FileRecord.of(folder);
     } catch (IOException e) {
       release();
@@ -100,7 +101,7 @@ public final class OutputFolder implements Closeable {
   }
 
   /** Whether commands have written into a folder, or are writing. */
-  public static boolean isOne(Path folder) {
+  public static boolean isOutputFolder(Path folder) {
     return Files.exists(folder.resolve(DRAFTS)) || Files.exists(folder.resolve(FileRecord.NAME));
   }
 
@@ -114,7 +115,7 @@ public final class OutputFolder implements Closeable {
    * @return the folder
    * @throws InputException if the path is a file or cannot be created
    */
-  public static Path made(Path folder) {
+  public static Path create(Path folder) {
     if (folder.toString().isEmpty()) {
       throw new InputException("the folder for results has an empty name, expected one");
     }
@@ -150,7 +151,8 @@ public final class OutputFolder implements Closeable {
     FileChannel channel =
         FileChannel.open(
             file, StandardOpenOption.CREATE, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
-    if (!isLocked(channel) || !Files.exists(file)) { // deleted by its holder, who has just finished
+    // The file is missing if its holder has just finished.
+    if (!isLocked(channel) || !Files.exists(file)) {
       channel.close();
       throw inUse(null);
     }
@@ -233,7 +235,8 @@ public final class OutputFolder implements Closeable {
   public synchronized OutputStream stream(String name) throws IOException {
     claim(name);
     if (drafted.put(name, "") != null) {
-      Files.deleteIfExists(draft(name)); // written earlier by the same command
+      // Written earlier by the same command.
+      Files.deleteIfExists(draft(name));
     }
     return OutputFile.stream(draft(name));
   }

@@ -57,7 +57,7 @@ public abstract class PlainXml extends DefaultHandler {
   /**
    * Reads a source.
    *
-   * @param name of the file, for messages
+   * @param name the name of the file, for messages
    * @throws InputException with the place, if it is not XML or the subclass finds an error
    */
   protected final void readSource(String name, InputSource source) {
@@ -66,7 +66,8 @@ public abstract class PlainXml extends DefaultHandler {
       parser().parse(source, this);
     } catch (SAXParseException e) {
       throw new InputException(fault(e).getMessage(), e);
-    } catch (SAXException e) { // an internal error of the parser, as after <!DOCTYPE> inside <root>
+    } catch (SAXException e) {
+      // An internal error of the parser, as after <!DOCTYPE> inside <root>.
       SAXParseException fault = new SAXParseException(e.getMessage(), locator);
       throw new InputException(fault(fault).getMessage(), e);
     } catch (UnsupportedEncodingException e) {
@@ -85,7 +86,7 @@ public abstract class PlainXml extends DefaultHandler {
     return false;
   }
 
-  /** Replaces what the file names by nothing. */
+  /** Reads an external entity as an empty one. */
   @Override
   public final InputSource resolveEntity(String publicId, String systemId) {
     return new InputSource(new StringReader(""));

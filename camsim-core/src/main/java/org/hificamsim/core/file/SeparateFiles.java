@@ -29,9 +29,9 @@ public final class SeparateFiles {
     try {
       return file.toRealPath();
     } catch (IOException e) {
-      Path whole = file.toAbsolutePath().normalize();
-      Path folder = whole.getParent();
-      return folder == null ? whole : real(folder).resolve(whole.getFileName());
+      Path absolute = file.toAbsolutePath().normalize();
+      Path folder = absolute.getParent();
+      return folder == null ? absolute : real(folder).resolve(absolute.getFileName());
     }
   }
 }

@@ -28,7 +28,7 @@ public final class TextLines implements Fields, Closeable {
   /** The greatest length of a line in characters. */
   static final int MAX_LINE = 1 << 20;
 
-  /** Some editors begin UTF-8 files with it. */
+  /** The mark with which some editors begin UTF-8 files. */
   private static final String BYTE_ORDER_MARK = "\ufeff";
 
   private final String file;

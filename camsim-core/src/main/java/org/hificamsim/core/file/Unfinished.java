@@ -13,7 +13,10 @@ public final class Unfinished {
 
   private Unfinished() {}
 
-  /** Deletes them when the process ends, also by a signal. For programs, not for libraries. */
+  /**
+   * Deletes all unfinished files when the process ends, also by a signal. For programs, not for
+   * libraries.
+   */
   public static void deleteAtExit() {
     Runtime.getRuntime().addShutdownHook(new Thread(Unfinished::closeAll, "unfinished files"));
   }

@@ -18,13 +18,13 @@ public final class ExpectedCoverage {
   /** By target: the end of its chances in {@link #chancesByTarget}. */
   private int[] ends = {};
 
-  /** By number of cameras: the chance that exactly so many cover the current target. */
+  /** By number of cameras: the chance that exactly this number covers the current target. */
   private double[] exactly = {};
 
-  /** By number of cameras: the chance that at least so many cover the current target. */
+  /** By number of cameras: the chance that at least this number covers the current target. */
   private double[] atLeast = {};
 
-  /** By number of cameras: the chance that at least so many cover each target. */
+  /** By number of cameras: the chance that at least this number covers each target. */
   private double[] allAtLeast = {};
 
   private double[] chanceOfOne = {};

@@ -151,9 +151,9 @@ public sealed interface Obstacle {
   /**
    * A round pillar.
    *
-   * @param x of the centre
-   * @param y of the centre
-   * @param radius metres, above 0
+   * @param x the x coordinate of the centre, metres
+   * @param y the y coordinate of the centre, metres
+   * @param radius the radius, metres, above 0
    */
   record Pillar(double x, double y, double radius, double transmittance, double base, double height)
       implements Obstacle {

@@ -116,14 +116,14 @@ final class Shapes {
 
   /** Whether a polygon surrounds a point that is on no edge: counts the edges to its right. */
   static boolean surrounds(List<Point> points, double x, double y) {
-    Point at = new Point(x, y);
+    Point point = new Point(x, y);
     boolean inside = false;
     for (int i = 0; i < points.size(); i++) {
       Point from = points.get(i);
       Point to = next(points, i);
       boolean rises = to.y() > y;
       boolean crosses = from.y() > y != rises;
-      inside ^= crosses && turn(from, to, at) > 0 == rises;
+      inside ^= crosses && turn(from, to, point) > 0 == rises;
     }
     return inside;
   }

@@ -41,18 +41,18 @@ public interface NetworkView extends CoveredTargets, Stations {
   /** The name in the scenario file. */
   String cameraName(int camera);
 
-  /** Radians, 0 is +y and pi/2 is +x; not normalised. */
+  /** The heading of a camera, radians: 0 is +y and pi/2 is +x; not normalised. */
   double cameraHeading(int camera);
 
   /** The number of views of this camera, 1 or more. */
   int views(int camera);
 
-  /** The number of its zoom levels, 1 or more. */
+  /** The number of the camera's zoom levels, 1 or more. */
   default int zooms(int camera) {
     return views(camera);
   }
 
-  /** The number of its pan angles, 1 or more. */
+  /** The number of the camera's pan angles, 1 or more. */
   default int pans(int camera) {
     return views(camera) / zooms(camera);
   }
@@ -104,7 +104,7 @@ public interface NetworkView extends CoveredTargets, Stations {
     return 0;
   }
 
-  /** The same for a camera that would be at rest in one of its views, {@code from}. */
+  /** Does the same as {@link #stepsTo} for a camera that would rest in the view {@code from}. */
   default int stepsBetween(int camera, int from, int view) {
     return 0;
   }
@@ -119,7 +119,10 @@ public interface NetworkView extends CoveredTargets, Stations {
     return Double.POSITIVE_INFINITY;
   }
 
-  /** How far its lens changes within a step, zoom levels; infinite where it changes at once. */
+  /**
+   * How far the camera's lens changes within a step, zoom levels; infinite where it changes at
+   * once.
+   */
   default double zoomInStep(int camera) {
     return Double.POSITIVE_INFINITY;
   }
@@ -146,17 +149,17 @@ public interface NetworkView extends CoveredTargets, Stations {
   }
 
   /**
-   * How wide targets are that hide each other, metres, on average; 0 where targets hide nothing.
-   * Whoever installs the cameras knows it, as the sizes of targets.
+   * The mean width of targets that hide each other, metres; 0 where targets hide nothing. The
+   * installer of the cameras knows it, like the sizes of targets.
    */
   default double hidingWidth() {
     return 0;
   }
 
   /**
-   * What cameras have to see of a target where they have heights.
+   * The part of a target that cameras have to see where they have heights.
    *
-   * @param size of the target, metres; the nearest of those that the scenario has counts
+   * @param size the size of the target, metres; the nearest of those that the scenario has counts
    */
   default Body body(double size) {
     return Body.flat(size);
@@ -169,7 +172,8 @@ public interface NetworkView extends CoveredTargets, Stations {
    * Computes the chance that the camera would detect a target at a position, through each of its
    * views: by its lens and its detection model, which are known, wherever targets are.
    *
-   * @param size of the target, metres; the nearest of the sizes that the scenario has is taken
+   * @param size the size of the target, metres; the nearest of the sizes that the scenario has is
+   *     taken
    * @param transmittance the part of the light that obstacles let through, in [0, 1]
    * @param chances receives one entry for each view, in [0, 1]
    * @return whether any chance is above 0; if not, the entries are undefined
@@ -177,7 +181,7 @@ public interface NetworkView extends CoveredTargets, Stations {
   boolean chancesAt(
       int camera, double x, double y, double size, double transmittance, double[] chances);
 
-  /** How many targets the camera detected at the last observation; 0 while offline. */
+  /** The number of targets that the camera detected at the last observation; 0 while offline. */
   int detected(int camera);
 
   /** The name in result files: the features value, as CamSim prints it. */
@@ -193,7 +197,7 @@ public interface NetworkView extends CoveredTargets, Stations {
    * The {@link #confidence} for a target that the camera {@link #sees}, which is not tested; to
    * about 1e-8, since it may come from a table.
    *
-   * @param distance between the two as {@link #findSeen} has found it, metres
+   * @param distance the distance between the two as {@link #findSeen} has found it, metres
    */
   default double seenConfidence(int camera, int target, double distance) {
     return confidence(camera, target);

@@ -13,20 +13,20 @@ import org.hificamsim.core.metrics.DetectionChances;
  * {@link #certain}; what cameras see follows from these.
  */
 public interface OracleView extends NetworkView, DetectionChances, CoverableTargets {
-  /** Metres. */
+  /** The x coordinate of a target, metres. */
   double targetX(int target);
 
-  /** Metres. */
+  /** The y coordinate of a target, metres. */
   double targetY(int target);
 
   /**
-   * Where the camera's head is turned, on its way included: radians off its heading, to the right.
+   * The present angle of the camera's head, even on its way: radians off its heading, to the right.
    */
   default double presentPan(int camera) {
     return pan(camera, view(camera));
   }
 
-  /** The zoom level at which the camera's lens is, which is no whole number on its way. */
+  /** The present zoom level of the camera's lens, which is no whole number on its way. */
   default double presentZoom(int camera) {
     return zoomOf(camera, view(camera));
   }
@@ -100,7 +100,7 @@ public interface OracleView extends NetworkView, DetectionChances, CoverableTarg
    *
    * @param targets as long as there are targets; filled from the start
    * @param chances one entry for each of them
-   * @return how many there are
+   * @return the number of these targets
    */
   default int chances(int camera, int view, int[] targets, double[] chances) {
     int count = 0;

@@ -56,7 +56,8 @@ public final class SeenPairs {
    */
   public void sort(int nearest) {
     for (int i = 1; i < count; i++) {
-      if (cameras[i] == cameras[i - 1]) { // most cameras see one target at most
+      // Most cameras see one target at most.
+      if (cameras[i] == cameras[i - 1]) {
         i = sort(i - 1, nearest);
       }
     }
@@ -68,19 +69,19 @@ public final class SeenPairs {
     while (to < count && cameras[to] == cameras[from]) {
       to++;
     }
-    for (int at = from; at < Math.min(to - 1, from + nearest); at++) {
-      bringNearest(at, to);
+    for (int index = from; index < Math.min(to - 1, from + nearest); index++) {
+      bringNearest(index, to);
     }
     return to;
   }
 
-  private void bringNearest(int at, int end) {
-    int nearest = at;
-    for (int i = at + 1; i < end; i++) {
+  private void bringNearest(int index, int end) {
+    int nearest = index;
+    for (int i = index + 1; i < end; i++) {
       nearest = isBefore(i, nearest) ? i : nearest;
     }
-    if (nearest != at) {
-      swap(at, nearest);
+    if (nearest != index) {
+      swap(index, nearest);
     }
   }
 

@@ -26,8 +26,8 @@ public interface ZoomPolicy {
   default void configure(Options options) {}
 
   /**
-   * The files by which it decides, such as a trained network, known after {@link #configure}. Run
-   * keys depend on their content, and results have a copy.
+   * The files by which the policy decides, such as a trained network, known after {@link
+   * #configure}. Run keys depend on their content, and results have a copy.
    */
   default List<Path> files() {
     return List.of();
@@ -36,14 +36,15 @@ public interface ZoomPolicy {
   /**
    * Called once, before the first step.
    *
-   * @param network the same object at every call of the run; what it says changes with each step
+   * @param network the network, the same object at every call of the run; its answers change with
+   *     each step
    */
   default void begin(NetworkView network, SplittableRandom random) {}
 
   /**
    * Chooses the next view of every camera.
    *
-   * @param network what is known before the step's observation
+   * @param network the network as it is known before the step's observation
    * @param views one entry per camera, holding the current views; the policy overwrites those of
    *     online cameras with values in [0, views(camera)); entries of offline cameras are ignored
    */

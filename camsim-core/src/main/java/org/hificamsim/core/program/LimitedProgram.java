@@ -15,8 +15,8 @@ import java.util.concurrent.TimeUnit;
 import org.hificamsim.core.file.Io;
 
 /**
- * A running program in a {@link Sandbox}, with a folder of its own that is deleted at the end. It
- * is talked to by its input and output; what it writes to its errors says why it ended.
+ * A running program in a {@link Sandbox}, with a folder of its own that is deleted at the end.
+ * Callers use its input and output; its error output says why it ended.
  */
 public final class LimitedProgram implements AutoCloseable {
   private static final String ERRORS = "errors";
@@ -30,8 +30,8 @@ public final class LimitedProgram implements AutoCloseable {
   /**
    * Starts a program.
    *
-   * @param folder of its own, in which it runs
-   * @param command words, the first of which is found on the path
+   * @param folder the program's own folder, in which it runs
+   * @param command the words of the command, the first of which is found on the path
    * @throws IOException when the system cannot start it
    */
   public LimitedProgram(Path folder, List<String> command, Sandbox sandbox) throws IOException {
@@ -46,12 +46,12 @@ public final class LimitedProgram implements AutoCloseable {
     in = new DataInputStream(process.getInputStream());
   }
 
-  /** What the program reads; flush it. */
+  /** The input of the program, which the caller flushes. */
   public DataOutputStream out() {
     return out;
   }
 
-  /** What the program writes. */
+  /** The output of the program. */
   public DataInputStream in() {
     return in;
   }
@@ -67,8 +67,8 @@ public final class LimitedProgram implements AutoCloseable {
   }
 
   /**
-   * Ends the program unless this is called again, or the program closed, before some seconds have
-   * gone by; reads of what it writes then fail.
+   * Sets a deadline in seconds from now, in place of an earlier one. When it passes, the program is
+   * ended and reads of its output fail.
    */
   public void limit(long seconds) {
     deadline.cancel(false);
@@ -78,9 +78,9 @@ public final class LimitedProgram implements AutoCloseable {
   }
 
   /**
-   * Why the program ended: the last line of its errors.
+   * The reason why the program ended: the last line of its error output.
    *
-   * @param otherwise where it wrote none, as a program that was killed
+   * @param otherwise the reason if the error output is empty, as of a program that was killed
    */
   public String reason(String otherwise) {
     try {

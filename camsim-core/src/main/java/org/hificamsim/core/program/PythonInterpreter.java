@@ -8,14 +8,14 @@ import java.util.List;
 /**
  * The Python that runs a user's files.
  *
- * @param executable its file
- * @param folders of its library and packages
+ * @param executable the file of the interpreter
+ * @param folders the folders of its library and packages
  */
 public record PythonInterpreter(Path executable, List<Path> folders) {
-  /** The environment variable that names another one. */
+  /** The environment variable that names another interpreter. */
   public static final String VARIABLE = "HIFICAMSIM_PYTHON";
 
-  /** The system property with the one that called Java, if it was one. */
+  /** The system property that names the interpreter that called Java, if one did. */
   public static final String CALLER = "hificamsim.python";
 
   private static final String SCRIPT =

@@ -14,12 +14,12 @@ import org.hificamsim.core.file.Io;
  * #confines} programs, it has no network, sees no other process, writes to its own folder alone,
  * and reads nothing but that folder, the system's programs and libraries, and what it is given.
  *
- * @param seconds of processor time
- * @param megabytes of memory
- * @param readable files and folders that the program may read
+ * @param seconds the limit of processor time, seconds
+ * @param megabytes the limit of memory, megabytes
+ * @param readable the files and folders that the program may read
  */
 public record Sandbox(long seconds, int megabytes, List<Path> readable) {
-  /** The program that makes namespaces, as its own messages begin. */
+  /** The name of the program that makes namespaces, with which its own messages begin. */
   static final String PROGRAM = "unshare";
 
   private static final String SCRIPT =
@@ -65,9 +65,11 @@ public record Sandbox(long seconds, int megabytes, List<Path> readable) {
     builder.environment().clear();
     builder.environment().put("PATH", path);
     builder.environment().put("HOME", folder.toString());
-    builder.environment().put("OMP_NUM_THREADS", "1"); // sums are added in the same order
+    // With one thread, sums are added in the same order.
+    builder.environment().put("OMP_NUM_THREADS", "1");
     builder.environment().put("OPENBLAS_NUM_THREADS", "1");
-    builder.environment().put("MALLOC_ARENA_MAX", "2"); // each takes 64 MB of addresses
+    // Each arena takes 64 MB of addresses.
+    builder.environment().put("MALLOC_ARENA_MAX", "2");
     return builder.start();
   }
 

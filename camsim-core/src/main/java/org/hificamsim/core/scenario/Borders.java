@@ -53,10 +53,10 @@ record Borders(List<Property<Scenario, Double>> sides) {
 
   /** Returns the scenario without the attributes. */
   Scenario without(Scenario scenario) {
-    Scenario without = scenario;
+    Scenario rest = scenario;
     for (Property<Scenario, Double> border : sides) {
-      without = without.without(border);
+      rest = rest.without(border);
     }
-    return without;
+    return rest;
   }
 }

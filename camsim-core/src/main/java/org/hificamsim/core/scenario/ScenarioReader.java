@@ -18,10 +18,10 @@ import org.hificamsim.core.scenario.declaration.Property;
 import org.hificamsim.core.scenario.declaration.Type;
 import org.hificamsim.core.scenario.file.Attributes;
 import org.hificamsim.core.scenario.file.CameraReader;
-import org.hificamsim.core.scenario.file.Clearing;
 import org.hificamsim.core.scenario.file.EventReader;
-import org.hificamsim.core.scenario.file.EventStory;
+import org.hificamsim.core.scenario.file.EventSequence;
 import org.hificamsim.core.scenario.file.Faults;
+import org.hificamsim.core.scenario.file.ObstacleCheck;
 import org.hificamsim.core.scenario.file.OpticsReader;
 import org.hificamsim.core.scenario.file.TargetReader;
 import org.hificamsim.core.scenario.file.TracksReader;
@@ -95,7 +95,7 @@ public final class ScenarioReader {
   public static Scenario read(
       Path path, Predicate<String> movements, AgentCheck agents, Consumer<String> warnings) {
     ScenarioReader reader = new ScenarioReader(path, movements, agents, warnings, Faults.thrown());
-    return reader.ready(reader.scenario());
+    return reader.requireRunnable(reader.scenario());
   }
 
   /**
@@ -160,7 +160,7 @@ public final class ScenarioReader {
             .with(
                 Scenario.ZONES,
                 faults.each(all(Zone.ELEMENT), new ZoneReader(scenario.field())::zone));
-    scenario = withStory(withZooms(scenario, attributes));
+    scenario = withParticipants(withZooms(scenario, attributes));
     scenario = scenario.with(Scenario.VISION_GRAPH, VisionGraphReader.read(root));
     if (!scenario.hasHeights()) {
       faults.check(this::refuseDepression);
@@ -235,7 +235,7 @@ public final class ScenarioReader {
   /**
    * The error about an attribute of {@code <simulation>} whose value proves invalid in use.
    *
-   * @param path of a file that has been read before
+   * @param path the file, which has been read before
    */
   public static InputException error(
       Path path, Property<Scenario, ?> attribute, InputException cause) {
@@ -257,8 +257,8 @@ public final class ScenarioReader {
     Scenario shown = given;
     for (int side = 0; side < Scenario.BORDERS.sides().size(); side++) {
       Property<Scenario, Double> border = Scenario.FLOORPLAN_BORDERS.sides().get(side);
-      Property<Scenario, Double> ofField = Scenario.BORDERS.sides().get(side);
-      shown = shown.with(border, given.find(border).orElse(given.get(ofField)));
+      Property<Scenario, Double> fieldBorder = Scenario.BORDERS.sides().get(side);
+      shown = shown.with(border, given.find(border).orElse(given.get(fieldBorder)));
     }
     Scenario.FLOORPLAN_BORDERS.check(attributes, shown::get);
     return shown;
@@ -304,34 +304,36 @@ public final class ScenarioReader {
     }
   }
 
-  private Scenario withStory(Scenario scenario) {
-    Clearing clearing = new Clearing(scenario.obstacles());
+  /** Reads the cameras, the targets and the events of the scenario. */
+  private Scenario withParticipants(Scenario scenario) {
+    ObstacleCheck obstacleCheck = new ObstacleCheck(scenario.obstacles());
     Map<String, OpticsSpec> optics = new OpticsReader().all(all(OpticsSpec.ELEMENT), faults);
     CameraReader cameraReader =
-        new CameraReader(scenario.field(), scenario.mountHeight(), clearing, optics, agents);
-    TargetReader targetReader = new TargetReader(scenario.field(), clearing, hasZooms(), movements);
+        new CameraReader(scenario.field(), scenario.mountHeight(), obstacleCheck, optics, agents);
+    TargetReader targetReader =
+        new TargetReader(scenario.field(), obstacleCheck, hasZooms(), movements);
     EventReader eventReader = new EventReader(cameraReader, targetReader);
     List<CameraSpec> cameras =
         faults.each(all(CameraSpec.ELEMENT), xml -> cameraReader.camera(xml, CameraSpec.ELEMENT));
     List<TargetSpec> targets =
         new ArrayList<>(faults.each(all(TargetSpec.ELEMENT), targetReader::object));
     targets.addAll(faults.each(all(TargetSpec.WITH_WAYPOINTS), targetReader::withWaypoints));
-    List<EventStory.EventElement> story =
+    List<EventSequence.EventElement> events =
         new ArrayList<>(
             faults.each(
                 all(EventHead.ELEMENT),
-                xml -> new EventStory.EventElement(eventReader.event(xml), xml)));
-    story.addAll(tracks(scenario));
+                xml -> new EventSequence.EventElement(eventReader.event(xml), xml)));
+    events.addAll(tracks(scenario));
     if (faults.none()) { // otherwise a missing camera or target may be one with a fault
-      new EventStory(story, cameras, targets, clearing).check(faults);
+      new EventSequence(events, cameras, targets, obstacleCheck).check(faults);
     }
     return scenario
         .with(Scenario.CAMERAS, cameras)
         .with(Scenario.TARGETS, targets)
-        .with(Scenario.EVENTS, story.stream().map(EventStory.EventElement::event).toList());
+        .with(Scenario.EVENTS, events.stream().map(EventSequence.EventElement::event).toList());
   }
 
-  private List<EventStory.EventElement> tracks(Scenario scenario) {
+  private List<EventSequence.EventElement> tracks(Scenario scenario) {
     List<XmlElement> elements = all(TracksReader.ELEMENT);
     List<List<ScenarioEvent>> events =
         faults.each(
@@ -339,7 +341,7 @@ public final class ScenarioReader {
     faults.check(() -> root.only(TracksReader.ELEMENT.name(), "one"));
     return events.stream()
         .flatMap(List::stream)
-        .map(event -> new EventStory.EventElement(event, elements.get(0)))
+        .map(event -> new EventSequence.EventElement(event, elements.get(0)))
         .toList();
   }
 
@@ -348,7 +350,7 @@ public final class ScenarioReader {
   }
 
   /** Refuses a scenario that a run cannot use: one without cameras or targets. */
-  private Scenario ready(Scenario scenario) {
+  private Scenario requireRunnable(Scenario scenario) {
     if (lacksCameras(scenario)) {
       throw simulation().place().error(NO_CAMERA);
     }

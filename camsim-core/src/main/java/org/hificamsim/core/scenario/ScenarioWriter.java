@@ -56,7 +56,7 @@ public final class ScenarioWriter {
   /**
    * Returns a scenario as an XML document that refers to a file of tracks.
    *
-   * @param scenario without tracks of its own
+   * @param scenario a scenario without tracks
    * @param tracks the path of the file from the scenario's folder
    */
   public static String write(Scenario scenario, String tracks) {
@@ -126,7 +126,8 @@ public final class ScenarioWriter {
     }
     tracksFile.ifPresent(
         file -> xml.element(TracksReader.ELEMENT.name(), Map.of(TracksReader.FILE.name(), file)));
-    if (!tracked.isEmpty()) { // as text: what is written is all of the scenario
+    // Tracks are written as text, so that one file has all of the scenario.
+    if (!tracked.isEmpty()) {
       xml.lines(TracksReader.ELEMENT.name(), out -> Io.run(() -> tracks(out)));
     }
   }

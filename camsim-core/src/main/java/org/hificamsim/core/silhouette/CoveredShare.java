@@ -23,7 +23,7 @@ public final class CoveredShare {
 
   private final Skyline standing = new Skyline();
 
-  /** The places at which a border of a shape begins, ends, or meets another border. */
+  /** The positions at which a border of a shape begins, ends, or meets another border. */
   private double[] cuts = new double[64];
 
   private int count;

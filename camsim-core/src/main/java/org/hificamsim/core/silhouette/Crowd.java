@@ -61,7 +61,7 @@ final class Crowd {
     nearer = new NearerTargets(most);
   }
 
-  /** Finds out which targets are present around a point, and which of them overlap. */
+  /** Finds the targets around a point, and which of them overlap in its view. */
   void around(double x, double y) {
     fromX = x;
     fromY = y;
@@ -139,7 +139,7 @@ final class Crowd {
     activeCount = kept;
   }
 
-  /** The sign is unpredictable, so we read its bit instead of branching. */
+  /** The sign is unpredictable, so its bit is read instead of branching. */
   private void link(int rank, int other, double farther) {
     int rankIfNegative = (int) (Double.doubleToRawLongBits(farther) >> 63) & (rank ^ other);
     nearer.add(numbers[other ^ rankIfNegative], numbers[rank ^ rankIfNegative]);

@@ -25,7 +25,7 @@ public final class HiddenShares {
   /** By camera: the targets around it, null until they are needed. */
   private final Crowd[] crowds;
 
-  /** By camera: whether its crowd is that of now. */
+  /** By camera: whether its crowd is up to date. */
   private final boolean[] sorted;
 
   /** By camera and target; NaN if not computed yet. */
@@ -77,7 +77,7 @@ public final class HiddenShares {
   }
 
   private double compute(int camera, int target) {
-    silhouette.from(cameras.x(camera), cameras.y(camera), cameras.z(camera));
+    silhouette.standAt(cameras.x(camera), cameras.y(camera), cameras.z(camera));
     silhouette.lookAt(
         targets.x(target), targets.y(target), targets.width(target), targets.height(target));
     if (!(silhouette.distance() > targets.width(target) / 2)) {

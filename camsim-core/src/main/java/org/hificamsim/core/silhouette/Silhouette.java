@@ -25,7 +25,7 @@ final class Silhouette {
   private double rise;
 
   /** Stands at a camera; z is NaN in a flat world. */
-  void from(double x, double y, double z) {
+  void standAt(double x, double y, double z) {
     cameraX = x;
     cameraY = y;
     cameraZ = z;
@@ -74,14 +74,15 @@ final class Silhouette {
     }
   }
 
+  /** Adds a nearer target, whose feet are lower in the picture than the silhouette's. */
   private void addRectangle(double aside, double halfWidth, double depth, double height) {
     double reach = half * depth;
     if (aside - halfWidth < reach && aside + halfWidth > -reach) {
       covered.add(
-          across((aside - halfWidth) / depth),
-          0, // a nearer target's feet are lower in the picture
-          across((aside + halfWidth) / depth),
-          flat ? 1 : up(height, depth));
+          squareX((aside - halfWidth) / depth),
+          0,
+          squareX((aside + halfWidth) / depth),
+          flat ? 1 : squareY(height, depth));
     }
   }
 
@@ -103,10 +104,10 @@ final class Silhouette {
     if (away > radius && depth + radius > 0 && depth - radius < distance) {
       double middle = Math.max(TOO_CLOSE * distance, Math.min(depth, distance));
       covered.add(
-          across(edge(depth, aside, radius, -1)),
-          flat ? 0 : up(walls.base(piece), middle),
-          across(edge(depth, aside, radius, 1)),
-          flat ? 1 : up(walls.height(piece), middle));
+          squareX(edge(depth, aside, radius, -1)),
+          flat ? 0 : squareY(walls.base(piece), middle),
+          squareX(edge(depth, aside, radius, 1)),
+          flat ? 1 : squareY(walls.height(piece), middle));
     }
   }
 
@@ -137,8 +138,8 @@ final class Silhouette {
     if (from < to) {
       double nearDepth = depth1 + from * (depth2 - depth1);
       double farDepth = depth1 + to * (depth2 - depth1);
-      double first = across((aside1 + from * (aside2 - aside1)) / nearDepth);
-      double second = across((aside1 + to * (aside2 - aside1)) / farDepth);
+      double first = squareX((aside1 + from * (aside2 - aside1)) / nearDepth);
+      double second = squareX((aside1 + to * (aside2 - aside1)) / farDepth);
       if (first < second) {
         addStrip(first, nearDepth, second, farDepth, walls.base(piece), walls.height(piece));
       } else if (second < first) {
@@ -162,14 +163,14 @@ final class Silhouette {
       covered.add(left, 0, right, 1);
       return;
     }
-    double lowSlope = slope(left, up(base, leftDepth), right, up(base, rightDepth));
-    double highSlope = slope(left, up(height, leftDepth), right, up(height, rightDepth));
+    double lowSlope = slope(left, squareY(base, leftDepth), right, squareY(base, rightDepth));
+    double highSlope = slope(left, squareY(height, leftDepth), right, squareY(height, rightDepth));
     covered.add(
         left,
         right,
-        up(base, leftDepth) - lowSlope * left,
+        squareY(base, leftDepth) - lowSlope * left,
         lowSlope,
-        up(height, leftDepth) - highSlope * left,
+        squareY(height, leftDepth) - highSlope * left,
         highSlope);
   }
 
@@ -187,12 +188,12 @@ final class Silhouette {
   }
 
   /** Maps a tangent off the line to the target to the unit square. */
-  private double across(double tangent) {
+  private double squareX(double tangent) {
     return (tangent + half) / (2 * half);
   }
 
   /** Maps a height at a depth to the unit square. */
-  private double up(double height, double depth) {
+  private double squareY(double height, double depth) {
     return ((height - cameraZ) / depth - feet) / rise;
   }
 

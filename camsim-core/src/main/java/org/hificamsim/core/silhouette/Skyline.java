@@ -66,7 +66,7 @@ final class Skyline {
     }
   }
 
-  /** The first piece that is lower somewhere between two places; the count if there is none. */
+  /** The first piece that is lower somewhere between two positions; the count if there is none. */
   private int firstLower(double from, double to, double intercept, double slope) {
     for (int piece = 0; piece < count && start(piece) < to; piece++) {
       if (isLower(piece, from, to, intercept, slope)) {

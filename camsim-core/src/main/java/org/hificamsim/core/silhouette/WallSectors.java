@@ -2,8 +2,8 @@ package org.hificamsim.core.silhouette;
 
 /**
  * The pieces of walls by their direction from a camera, in equal sectors of the full turn; in each
- * sector the nearest first, without those behind a wall that closes it. A sector is made when
- * somebody looks into it.
+ * sector the nearest first, without those behind a wall that closes it. A sector is computed when
+ * it is first needed.
  */
 final class WallSectors {
   private static final int SECTORS = 256;

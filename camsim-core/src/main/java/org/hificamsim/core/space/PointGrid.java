@@ -60,9 +60,10 @@ public final class PointGrid {
   /**
    * Creates a grid over an area.
    *
-   * @param width of the area, metres, above 0
-   * @param height of the area, metres, above 0
-   * @param side of a cell, metres, 0 or more; enlarged if the area would have too many cells
+   * @param width the width of the area, metres, above 0
+   * @param height the height of the area, metres, above 0
+   * @param side the side of a cell, metres, 0 or more; enlarged if the area would have too many
+   *     cells
    */
   public static PointGrid over(
       double minX, double minY, double width, double height, double side, int maxPoints) {
@@ -154,8 +155,8 @@ public final class PointGrid {
   }
 
   /**
-   * Finds the points among some of the order of cells that are nearer than a distance. The distance
-   * test is unpredictable, so we read the sign bit of a difference instead of branching.
+   * Finds those of some points, in the order of cells, that are nearer than a distance. The
+   * distance test is unpredictable, so the sign bit of a difference is read instead of branching.
    *
    * @param below the square of the distance
    * @param near receives the indices of the points, and one entry more may be written

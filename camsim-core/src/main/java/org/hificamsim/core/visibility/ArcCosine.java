@@ -41,7 +41,7 @@ final class ArcCosine {
   /**
    * Returns the supplement of an angle, before the rest of pi is added.
    *
-   * @param square of the cosine of half the angle
+   * @param square the square of the cosine of half the angle
    */
   private static double supplement(double square) {
     double sine = Math.sqrt(square);
@@ -51,7 +51,8 @@ final class ArcCosine {
   /**
    * Returns an angle below pi/3.
    *
-   * @param square of the sine of half the angle; its root is split to make up for its rounding
+   * @param square the square of the sine of half the angle; its root is split to make up for its
+   *     rounding
    */
   private static double acute(double square) {
     if (square == 0) {

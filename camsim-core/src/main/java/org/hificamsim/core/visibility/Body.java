@@ -5,8 +5,8 @@ import java.util.Comparator;
 /**
  * The part of a target that a camera must see.
  *
- * @param size of the target as the detection model takes it, metres, above 0: the edge of its
- *     bounding box, or its height
+ * @param size the size of the target as the detection model takes it, metres, above 0: the edge of
+ *     its bounding box, or its height
  * @param low the lowest height that must be seen, metres
  * @param high the greatest height that must be seen, metres
  * @param foreshortened whether the target looks shorter from above

@@ -22,8 +22,8 @@ import org.hificamsim.core.obstacle.Point;
  *
  * @param near the least distance ahead, metres; above {@code far} if the footprint is empty
  * @param far the greatest distance ahead, metres; may be infinite
- * @param slope of the sides: metres to the right for each metre ahead
- * @param offset of the sides at the camera, metres to the right
+ * @param slope the slope of the sides: metres to the right for each metre ahead
+ * @param offset the offset of the sides at the camera, metres to the right
  */
 public record Footprint(double near, double far, double slope, double offset) {
   /**

@@ -178,7 +178,7 @@ public final class LevelSight {
    * Whether a target that is in reach and angle is detected.
    *
    * @param squared distance to the target
-   * @param luck of the camera and the target in this step
+   * @param luck the luck of the camera and the target in this step
    * @param transmittance the part of the target's light that reaches the camera, in [0, 1]
    */
   public boolean detectsInView(
@@ -214,7 +214,7 @@ public final class LevelSight {
   /**
    * The confidence that the model reports for a target; 0 if the camera does not detect it.
    *
-   * @param luck of the camera and the target in this step
+   * @param luck the luck of the camera and the target in this step
    * @param transmittance the part of the target's light that reaches the camera, in [0, 1]
    */
   public double confidence(Pose camera, double x, double y, double luck, double transmittance) {

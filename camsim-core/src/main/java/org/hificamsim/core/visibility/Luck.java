@@ -14,7 +14,7 @@ final class Luck {
   private final int memory;
 
   /**
-   * @param memory steps, 1 or more
+   * @param memory the memory, steps, 1 or more
    */
   Luck(long seed, int memory) {
     this.start = Draw.key(seed, 1);

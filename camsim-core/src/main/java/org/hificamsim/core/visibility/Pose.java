@@ -3,11 +3,11 @@ package org.hificamsim.core.visibility;
 /**
  * The position and heading of a camera.
  *
- * @param x metres
- * @param y metres
- * @param heading radians, 0 is +y and pi/2 is +x; not normalised
+ * @param x the x coordinate, metres
+ * @param y the y coordinate, metres
+ * @param heading the heading, radians, 0 is +y and pi/2 is +x; not normalised
  * @param headingX the x component of the unit vector along the heading
- * @param headingY its y component
+ * @param headingY the y component of that unit vector
  */
 public record Pose(double x, double y, double heading, double headingX, double headingY) {
   /** Creates a pose. */
@@ -35,7 +35,7 @@ public record Pose(double x, double y, double heading, double headingX, double h
   /**
    * Whether a point is in a sector around the heading, or on its border.
    *
-   * @param cosine of half the sector's angle
+   * @param cosine the cosine of half the sector's angle
    */
   boolean isInSector(double cosine, double pointX, double pointY) {
     return along(pointX, pointY) >= cosine * distance(pointX, pointY);

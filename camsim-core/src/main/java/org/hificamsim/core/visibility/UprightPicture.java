@@ -6,8 +6,8 @@ import org.hificamsim.core.detection.VerticalView;
  * The bounding box of the picture of an upright rectangle that faces the camera, projected by a
  * pinhole at a height and a tilt through all four corners.
  *
- * @param width in focal lengths: multiply by the focal length in pixels to get pixels
- * @param height in focal lengths
+ * @param width the width in focal lengths; times the focal length in pixels it is in pixels
+ * @param height the height in focal lengths
  */
 public record UprightPicture(double width, double height) {
   /**
@@ -15,8 +15,8 @@ public record UprightPicture(double width, double height) {
    *
    * @param ahead metres ahead of the camera, along its heading
    * @param right metres to its right
-   * @param bodyWidth metres
-   * @param bodyHeight metres
+   * @param bodyWidth the body width, metres
+   * @param bodyHeight the body height, metres
    */
   public static UprightPicture of(
       VerticalView view, double ahead, double right, double bodyWidth, double bodyHeight) {

@@ -48,7 +48,7 @@ public final class Visibility {
    * Creates the pipeline. The border of a sector belongs to it, and so does the position of the
    * camera.
    *
-   * @param seed of the luck in the run
+   * @param seed the seed of the luck in the run
    */
   public static Visibility of(Detection detection, long seed) {
     return new Visibility(detection, false, seed);
@@ -58,7 +58,7 @@ public final class Visibility {
    * Creates the pipeline by CamSim's rules (behaviour 6.1 and 6.2): neither the border of a sector
    * nor the position of the camera belongs to it, and a target of confidence 0 is not seen.
    *
-   * @param seed of the luck in the run
+   * @param seed the seed of the luck in the run
    */
   public static Visibility asInCamSim(Detection detection, long seed) {
     return new Visibility(
@@ -75,7 +75,7 @@ public final class Visibility {
   /**
    * Returns what {@link #at(ZoomLevel, Body)} does, for a flat world.
    *
-   * @param size of the targets, metres
+   * @param size the size of the targets, metres
    */
   public LevelSight at(ZoomLevel zoom, double size) {
     return at(zoom, Body.flat(size));
@@ -104,7 +104,7 @@ public final class Visibility {
    * Enlarges a computed distance by more than its rounding error, so that no coordinate of two
    * points at that distance differs by more.
    *
-   * @param distance metres
+   * @param distance the distance, metres
    */
   public static double roundedUp(double distance) {
     return distance * (1 + 1e-9) + 1e-150; // squares of less may be 0

@@ -46,7 +46,7 @@ public final class Cameras {
   void define(int camera, String name, Mount mount) {
     names[camera] = name;
     online[camera] = false;
-    mount(camera, mount.at(NOWHERE));
+    mount(camera, mount.withPose(NOWHERE));
     view[camera] = mount.set.home();
   }
 
@@ -73,7 +73,7 @@ public final class Cameras {
   }
 
   void place(int camera, Pose pose) {
-    place(camera, mounts[camera].at(pose));
+    place(camera, mounts[camera].withPose(pose));
   }
 
   void switchTo(int camera, boolean on) {
@@ -92,7 +92,8 @@ public final class Cameras {
   /** Sends a camera towards a view. */
   public void turnTo(int camera, int newView) {
     release(camera);
-    viewRevision += newView ^ view[camera]; // 0 for the same view; a branch would be unpredictable
+    // Adds 0 for the same view; a branch would be unpredictable.
+    viewRevision += newView ^ view[camera];
     view[camera] = newView;
   }
 
@@ -108,7 +109,7 @@ public final class Cameras {
   /**
    * Puts a camera into a view at once and turns it to any angle.
    *
-   * @param pan radians off the mounted heading; holds until the next turn
+   * @param pan the pan angle, radians off the mounted heading; holds until the next turn
    */
   public void aim(int camera, int newView, double pan) {
     jumpTo(camera, newView);
@@ -117,7 +118,7 @@ public final class Cameras {
     viewRevision++;
   }
 
-  /** Gives a view that was aimed its own angle again. */
+  /** Restores the angle of a view that was aimed. */
   private void release(int camera) {
     if (aimedPoses[camera] != null) {
       aimedPoses[camera] = null;
@@ -133,7 +134,7 @@ public final class Cameras {
     }
   }
 
-  /** How many cameras there will ever be. */
+  /** The number of cameras that there will ever be. */
   public int count() {
     return mounts.length;
   }
@@ -160,12 +161,12 @@ public final class Cameras {
         : mounts[camera].poses[atView];
   }
 
-  /** Metres. */
+  /** The x coordinate, metres. */
   public double x(int camera) {
     return mounts[camera].pose.x();
   }
 
-  /** Metres. */
+  /** The y coordinate, metres. */
   public double y(int camera) {
     return mounts[camera].pose.y();
   }
@@ -210,7 +211,7 @@ public final class Cameras {
     return motion == null ? 0 : motion.stepsTo(camera, otherView);
   }
 
-  /** The same for a camera that would be at rest in one of its views. */
+  /** Does the same as {@link #stepsTo} for a camera that would rest in the view {@code from}. */
   public int stepsBetween(int camera, int from, int otherView) {
     return motion == null ? 0 : motion.stepsBetween(camera, from, otherView);
   }
@@ -225,15 +226,18 @@ public final class Cameras {
     return stepTime * mounts[camera].set.panSpeed();
   }
 
-  /** How far its lens changes within a step, zoom levels; infinite where it changes at once. */
+  /**
+   * How far the camera's lens changes within a step, zoom levels; infinite where it changes at
+   * once.
+   */
   public double zoomInStep(int camera) {
     return stepTime * mounts[camera].set.zoomSpeed();
   }
 
   /** How far the camera sees now, metres; 0 while it moves blindly. */
   public double range(int camera) {
-    int through = seeing(camera);
-    return through == NO_VIEW ? 0 : mounts[camera].zooms[through].radius();
+    int seenView = seeing(camera);
+    return seenView == NO_VIEW ? 0 : mounts[camera].zooms[seenView].radius();
   }
 
   /** Whether the camera is on its way to the view that was chosen last. */
@@ -258,17 +262,17 @@ public final class Cameras {
         : mounts[camera].set.pan(atView);
   }
 
-  /** Where the camera's head is turned, radians off its mounted heading. */
+  /** The present angle of the camera's head, radians off its mounted heading. */
   public double presentPan(int camera) {
     return moving(camera) ? motion.pan(camera) : pan(camera, view[camera]);
   }
 
-  /** The zoom level at which the lens is, which is no whole number on its way. */
+  /** The present zoom level of the lens, which is no whole number on its way. */
   public double presentZoom(int camera) {
     return moving(camera) ? motion.zoom(camera) : mounts[camera].set.zoomOf(view[camera]);
   }
 
-  /** Radians below the horizon, in one of the views. */
+  /** The tilt of one of the views, radians below the horizon. */
   public double tilt(int camera, int atView) {
     return mounts[camera].set.tilt(atView);
   }

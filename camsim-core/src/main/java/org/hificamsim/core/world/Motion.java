@@ -18,8 +18,8 @@ final class Motion {
   private final int[] passing;
 
   /**
-   * @param views by camera
-   * @param stepTime seconds
+   * @param views the views of each camera
+   * @param stepTime the step time, seconds
    */
   Motion(ViewSet[] views, double stepTime) {
     this.views = views;
@@ -109,12 +109,12 @@ final class Motion {
     return moving[camera];
   }
 
-  /** Where a camera's head is turned, radians off its mounted heading. */
+  /** The present angle of a camera's head, radians off its mounted heading. */
   double pan(int camera) {
     return pan[camera];
   }
 
-  /** The zoom level at which a camera's lens is. */
+  /** The present zoom level of a camera's lens. */
   double zoom(int camera) {
     return zoom[camera];
   }

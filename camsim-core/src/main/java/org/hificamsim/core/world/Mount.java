@@ -46,7 +46,7 @@ final class Mount {
   }
 
   /** The same camera at another pose. */
-  Mount at(Pose other) {
+  Mount withPose(Pose other) {
     return new Mount(other, set, zooms, zoomNumbers);
   }
 }

@@ -21,7 +21,7 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
  *
  * @param removed by event: the target that it removes, or {@link #NONE}; computed in advance, since
  *     a search within a step would take time and allocate
- * @param mounts by camera: how it is mounted when it is added
+ * @param mounts by camera: its mount when it is added
  * @param cameraNumbers by name; the first one if several cameras share a name
  */
 record Participants(

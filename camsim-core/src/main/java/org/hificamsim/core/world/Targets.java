@@ -103,22 +103,22 @@ public final class Targets {
     return present[target];
   }
 
-  /** Metres. */
+  /** The x coordinate, metres. */
   public double x(int target) {
     return x[target];
   }
 
-  /** Metres. */
+  /** The y coordinate, metres. */
   public double y(int target) {
     return y[target];
   }
 
-  /** Radians, 0 is +y and pi/2 is +x; not normalised. */
+  /** The heading, radians: 0 is +y and pi/2 is +x; not normalised. */
   public double heading(int target) {
     return heading[target];
   }
 
-  /** Metres per step. */
+  /** The speed, metres per step. */
   public double speed(int target) {
     return speed[target];
   }

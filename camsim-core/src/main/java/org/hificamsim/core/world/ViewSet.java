@@ -13,10 +13,11 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
  * The views of a kind of camera: each of its zoom levels at each of its tilts at each of its pan
  * angles. View {@code (pan * tilts + tilt) * zooms + zoom} has that pan, tilt and zoom.
  *
- * @param pans radians off the mounted heading, rising, at least one
- * @param tilts radians below the horizon, rising, at least one
+ * @param pans the pan angles, radians off the mounted heading, rising, at least one
+ * @param tilts the tilt angles, radians below the horizon, rising, at least one
  * @param zooms from the narrowest, at least one
- * @param panSpeed radians a second, also of tilting; infinite where the camera turns at once
+ * @param panSpeed the pan speed, radians a second, also of tilting; infinite where the camera turns
+ *     at once
  * @param zoomSpeed levels a second; infinite where the lens changes at once
  */
 public record ViewSet(
@@ -54,8 +55,8 @@ public record ViewSet(
    * Makes the views of a camera with a lens: one zoom level for each of its angles of view.
    *
    * @param optics with a law that has angles of view
-   * @param defaultReach metres; the reach if the optics have none
-   * @param mountHeight metres; NaN if unknown
+   * @param defaultReach the default reach, metres; the reach if the optics have none
+   * @param mountHeight the mount height, metres; NaN if unknown
    * @param mounted height and tilt of the camera
    */
   static ViewSet ofLens(
@@ -112,12 +113,12 @@ public record ViewSet(
     return pans.size() == 1 && tilts.size() == 1;
   }
 
-  /** Radians off the mounted heading. */
+  /** The pan angle of a view, radians off the mounted heading. */
   public double pan(int view) {
     return pans.get(panOf(view));
   }
 
-  /** Radians below the horizon. */
+  /** The tilt of a view, radians below the horizon. */
   public double tilt(int view) {
     return tilts.get(tiltOf(view));
   }

@@ -50,8 +50,8 @@ final class Views {
   /**
    * Returns the views of a camera that an event changed; cameras of a kind share them.
    *
-   * @param range metres; ignored if the scenario has a zoom list
-   * @param viewingAngle radians
+   * @param range the range, metres; ignored if the scenario has a zoom list
+   * @param viewingAngle the viewing angle, radians
    * @param camera gives all other properties
    */
   ViewSet of(double range, double viewingAngle, CameraSpec camera) {

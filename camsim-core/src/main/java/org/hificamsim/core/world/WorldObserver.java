@@ -14,7 +14,7 @@ public interface WorldObserver {
   /**
    * A camera was switched off.
    *
-   * @param duration steps, above 0; -1 for the rest of the run
+   * @param duration the duration, steps, above 0; -1 for the rest of the run
    */
   default void cameraFailed(int camera, int duration) {}
 

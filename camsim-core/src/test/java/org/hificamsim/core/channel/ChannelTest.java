@@ -100,11 +100,11 @@ class ChannelTest {
   @Test
   void lossesAreIndependentWithoutBursts() {
     int[] delays = delays("loss=0.3");
-    long both =
+    long lostPairs =
         IntStream.range(1, STEPS)
             .filter(i -> delays[i] == Channel.LOST && delays[i - 1] == Channel.LOST)
             .count();
-    assertEquals(0.09, both / (STEPS - 1.0), margin(0.09));
+    assertEquals(0.09, lostPairs / (STEPS - 1.0), margin(0.09));
   }
 
   /** The mean of n geometric lengths with mean L has a standard error of about L / sqrt(n). */

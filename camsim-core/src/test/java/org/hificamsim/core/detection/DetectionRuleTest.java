@@ -115,9 +115,9 @@ class DetectionRuleTest {
     double tau = 0.2 + 1.6448536269514722 * 0.1;
     Scatter growing = new Scatter(0.2, 0.1, 0.02, 0.4);
     assertEquals(0.05, new Scatter(0.2, 0.1).falseAlarms(tau), 1e-12);
-    double alarms = NormalDistribution.cdf((0.2 - tau) / 0.02);
-    assertEquals(alarms, growing.falseAlarms(tau), 1e-15);
-    assertTrue(alarms < 1e-12);
+    double falseAlarms = NormalDistribution.cdf((0.2 - tau) / 0.02);
+    assertEquals(falseAlarms, growing.falseAlarms(tau), 1e-15);
+    assertTrue(falseAlarms < 1e-12);
     Detection detection = byChance("0.05", growing);
     assertEquals(0, detection.chance(0.2), 0);
     assertEquals(NormalDistribution.cdf((0.7 - tau) / 0.22), detection.chance(0.7), 1e-12);

@@ -13,17 +13,17 @@ class DistanceTableTest {
 
   @Test
   void tabulatesSmoothFunctionOnce() {
-    AtomicInteger asked = new AtomicInteger();
+    AtomicInteger evaluations = new AtomicInteger();
     DoubleUnaryOperator smooth = distance -> Math.exp(-distance / 5);
     DistanceTable table =
         table(
             distance -> {
-              asked.incrementAndGet();
+              evaluations.incrementAndGet();
               return smooth.applyAsDouble(distance);
             });
-    int before = asked.get();
+    int before = evaluations.get();
     assertClose(smooth, table, 1e-8);
-    assertEquals(before, asked.get());
+    assertEquals(before, evaluations.get());
   }
 
   @Test

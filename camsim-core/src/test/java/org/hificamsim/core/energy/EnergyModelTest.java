@@ -19,7 +19,7 @@ class EnergyModelTest {
   @TempDir Path folder;
 
   @Test
-  void cc2420TakesWhatItsSheetSays() {
+  void cc2420HasFiguresOfItsDataSheet() {
     EnergyModel model = EnergyModel.parse("cc2420");
     assertEquals(3 * 17.4e-3 / 250e3, model.figure(EnergyFigure.SEND), 1e-15);
     assertEquals(3 * 18.8e-3 / 250e3, model.figure(EnergyFigure.RECEIVE), 1e-15);
@@ -40,7 +40,7 @@ class EnergyModelTest {
   }
 
   @Test
-  void figuresReplaceThoseOfTheProfile() {
+  void givenFiguresReplaceThoseOfTheProfile() {
     EnergyModel model = EnergyModel.parse("cc2420,send=1uJ,idle=0.3W,battery=2kJ");
     assertEquals(1e-6, model.figure(EnergyFigure.SEND));
     assertEquals(0.3, model.figure(EnergyFigure.IDLE));
@@ -69,7 +69,7 @@ class EnergyModelTest {
         "cc2420,cc2420",
         "sense=1J,idle",
       })
-  void rejectsBadFiguresInOneLine(String text) {
+  void rejectsInvalidFiguresInOneLine(String text) {
     String message = assertThrows(InputException.class, () -> EnergyModel.parse(text)).getMessage();
     assertTrue(message.startsWith("energy: ") && message.contains("expected"), message);
     assertFalse(message.contains("\n"), message);
@@ -84,7 +84,7 @@ class EnergyModelTest {
   }
 
   @Test
-  void namesLineOfBadFigureInFile() throws IOException {
+  void errorNamesLineOfInvalidFigure() throws IOException {
     Path file = folder.resolve("mote.energy");
     Files.writeString(file, "cc2420\nsense = -12 mJ\n");
     InputException error =

@@ -9,10 +9,10 @@ import org.junit.jupiter.api.Test;
 class CameraMovesTest {
   private final CameraMoves moves = new CameraMoves();
 
-  /** What a camera does in a step; an offline one keeps everything. */
+  /** The state of a camera in a step; that of an offline camera does not change. */
   private record State(int view, double pan, double zoom, boolean moving, boolean online) {}
 
-  private static State at(int view, double degrees, double zoom) {
+  private static State resting(int view, double degrees, double zoom) {
     return new State(view, Math.toRadians(degrees), zoom, false, true);
   }
 
@@ -20,7 +20,7 @@ class CameraMovesTest {
     return new State(goal, Math.toRadians(degrees), zoom, true, true);
   }
 
-  private static State off(int view) {
+  private static State offline(int view) {
     return new State(view, 0, 0, false, false);
   }
 
@@ -44,23 +44,23 @@ class CameraMovesTest {
 
   @Test
   void countsViewChangesOfLaterCameras() {
-    step(at(2, 0, 2));
-    step(at(2, 0, 2), at(0, 0, 0));
+    step(resting(2, 0, 2));
+    step(resting(2, 0, 2), resting(0, 0, 0));
     assertEquals(0, moves.viewChanges());
-    step(at(1, 0, 1), at(0, 0, 0), at(1, 0, 1));
+    step(resting(1, 0, 1), resting(0, 0, 0), resting(1, 0, 1));
     assertEquals(1, moves.viewChanges());
-    step(at(1, 0, 1), at(2, 0, 2), at(0, 0, 0));
+    step(resting(1, 0, 1), resting(2, 0, 2), resting(0, 0, 0));
     assertEquals(3, moves.viewChanges());
     assertEquals(3.0 / 9, moves.viewChangeRate());
   }
 
   @Test
   void addsUpTravelOfInterruptedMoves() {
-    step(at(0, 0, 0));
+    step(resting(0, 0, 0));
     step(passing(5, 10, 0.5));
     step(passing(5, 20, 1));
     step(passing(1, 15, 1));
-    step(at(1, 15, 1));
+    step(resting(1, 15, 1));
     assertEquals(25.0 / 5, moves.meanPanTravel(), 1e-12);
     assertEquals(1.0 / 5, moves.meanZoomTravel(), 1e-12);
     assertEquals(2, moves.viewChanges());
@@ -68,8 +68,8 @@ class CameraMovesTest {
 
   @Test
   void ignoresOfflineCamerasInMeans() {
-    step(at(0, 0, 0), off(0));
-    step(at(1, 30, 2), off(0));
+    step(resting(0, 0, 0), offline(0));
+    step(resting(1, 30, 2), offline(0));
     assertEquals(15, moves.meanPanTravel(), 1e-12);
     assertEquals(1, moves.meanZoomTravel(), 1e-12);
   }

@@ -54,7 +54,7 @@ class EnergyMeterTest {
   }
 
   @Test
-  void batteryLastsItsStepsByHand() {
+  void batteryLastsComputedNumberOfSteps() {
     // A step takes 1 W x 1 s + 0.5 J + 2 x 0.25 J = 2 J, so that 19 J last 10 steps.
     World world = scenario("idle=1W,sense=500mJ,detection=250mJ,battery=19J").camera(0, 0).world();
     int[] failed = {0};
@@ -76,7 +76,7 @@ class EnergyMeterTest {
   }
 
   @Test
-  void halfOfTheBatteriesComeAfterTheFirst() {
+  void halfOfTheBatteriesAreEmptyAfterTheFirst() {
     World world =
         scenario("idle=1W,sleep=0.25W,battery=8J")
             .camera(camera("always", null))

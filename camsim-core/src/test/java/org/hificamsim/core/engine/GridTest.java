@@ -46,9 +46,10 @@ class GridTest {
   }
 
   @Property(tries = 150, edgeCases = EdgeCasesMode.NONE)
-  void gridObservesAsThePlainLoopDoes(@ForAll @IntRange(max = 3) int which, @ForAll long seed) {
+  void gridObservesAsThePlainLoopDoes(
+      @ForAll @IntRange(max = 3) int modelNumber, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
-    Detection detection = Detection.of(model(which, random));
+    Detection detection = Detection.of(model(modelNumber, random));
     TestScenario scenario = scenario(random);
     double side = random.nextDouble(0.3, 12);
     World plain = scenario.world(seed);
@@ -91,11 +92,11 @@ class GridTest {
   }
 
   @Property(tries = 60, edgeCases = EdgeCasesMode.NONE)
-  void masksEqualSingleDetections(@ForAll @IntRange(max = 3) int which, @ForAll long seed) {
+  void masksEqualSingleDetections(@ForAll @IntRange(max = 3) int modelNumber, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = scenario(random).world(seed);
     double side = random.nextBoolean() ? Double.POSITIVE_INFINITY : random.nextDouble(0.3, 12);
-    Visibility visibility = Visibility.of(Detection.of(model(which, random)));
+    Visibility visibility = Visibility.of(Detection.of(model(modelNumber, random)));
     TestNetwork network = new TestNetwork(world, visibility, side);
     world.fireEvents(STEPS);
     network.beginStep(STEPS);
@@ -162,8 +163,8 @@ class GridTest {
     return scenario;
   }
 
-  private static DetectionModel model(int which, SplittableRandom random) {
-    return switch (which) {
+  private static DetectionModel model(int modelNumber, SplittableRandom random) {
+    return switch (modelNumber) {
       case 0 -> new CamSimRangeDetection();
       case 1 -> new GeometricDetection();
       case 2 -> new CamSimVisibilityDetection();

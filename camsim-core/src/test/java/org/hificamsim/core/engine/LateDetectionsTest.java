@@ -31,7 +31,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class LateDetectionsTest {
   /** Three targets that stand 1, 2 and 3 m from a camera; the first is the farthest. */
-  private static TestScenario three(int budget) {
+  private static TestScenario threeTargets(int budget) {
     return new TestScenario()
         .order(StepOrder.COVERAGE)
         .with(Scenario.PROCESSING, new ProcessingBudget(budget))
@@ -63,18 +63,19 @@ class LateDetectionsTest {
   @ParameterizedTest
   @CsvSource({"1, 010 111 111", "2, 011 111 111", "3, 111 111 111"})
   void nearestTargetsAreKnownAtOnceAndOthersAStepLater(int budget, String expected) {
-    assertEquals(expected, coverages(three(budget).camera(0, 0), 3));
+    assertEquals(expected, coverages(threeTargets(budget).camera(0, 0), 3));
   }
 
   @Test
-  void cameraThatSeesNothingDropsWhatWaited() {
+  void cameraThatSeesNothingDropsLateDetections() {
     CameraSpec half = new CameraSpec("half", 0, 0, 5).with(CameraSpec.DUTY, DutyCycle.parse("1/2"));
-    assertEquals("010 000 010 000", coverages(three(1).camera(half), 4));
+    assertEquals("010 000 010 000", coverages(threeTargets(1).camera(half), 4));
   }
 
   @Test
   void targetThatVanishedIsNotKnownLater() {
-    TestScenario scenario = three(1).camera(0, 0).events(new ScenarioEvent.RemoveTarget(1, 0));
+    TestScenario scenario =
+        threeTargets(1).camera(0, 0).events(new ScenarioEvent.RemoveTarget(1, 0));
     assertEquals("010 011 011", coverages(scenario, 3));
   }
 
@@ -82,7 +83,9 @@ class LateDetectionsTest {
   @Test
   void lateTargetIsWhereItWasDetected() {
     TestScenario scenario =
-        three(1).camera(camera("c", 0, 0, 0, 360, 5)).target(TestScenario.target(3, 4.5, 0, 90, 1));
+        threeTargets(1)
+            .camera(camera("c", 0, 0, 0, 360, 5))
+            .target(TestScenario.target(3, 4.5, 0, 90, 1));
     Simulation simulation = simulation(scenario, new WidestPolicy());
     simulation.run(2);
     OracleView network = simulation.network();
@@ -101,7 +104,7 @@ class LateDetectionsTest {
   }
 
   @Test
-  void boundKnowsAllAtOnce() {
+  void boundKnowsAllDetectionsAtOnce() {
     class Bound implements OraclePolicy {
       @Override
       public String name() {
@@ -111,7 +114,7 @@ class LateDetectionsTest {
       @Override
       public void decide(OracleView network, int[] views) {}
     }
-    Simulation simulation = simulation(three(1).camera(0, 0), new Bound());
+    Simulation simulation = simulation(threeTargets(1).camera(0, 0), new Bound());
     simulation.run(1);
     assertEquals(3, simulation.network().detected(0));
   }
@@ -119,7 +122,7 @@ class LateDetectionsTest {
   /** The views and detections of a run among moving targets, as text. */
   private static String run(int budget, int count, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
-    TestScenario scenario = three(budget).zooms(2, 4, 8);
+    TestScenario scenario = threeTargets(budget).zooms(2, 4, 8);
     for (int i = 0; i < count; i++) {
       scenario.camera(random.nextDouble(-9, 9), random.nextDouble(-9, 9));
       scenario.target(
@@ -165,7 +168,7 @@ class LateDetectionsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"0", "-1", "1.5", "x", "", "01", "9999999999"})
-  void rejectsBudgetsThatAreNone(String text) {
+  void rejectsInvalidBudgets(String text) {
     InputException fault = assertThrows(InputException.class, () -> ProcessingBudget.parse(text));
     assertTrue(fault.getMessage().contains("processing is '" + text + "'"), fault.getMessage());
   }

@@ -56,7 +56,7 @@ class MovingCamerasTest {
   }
 
   @Test
-  void cameraMovesForNeededSteps() {
+  void cameraMovesForSeveralStepsBeforeItSees() {
     Simulation simulation = simulation(new ToTheRight(false));
     NetworkView network = simulation.network();
     assertEquals(2, network.zooms(0));

@@ -91,7 +91,7 @@ class ObservedNetworkTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"threshold", "probability"})
-  void movedCameraSeesFromNewPlace(String rule) {
+  void movedCameraSeesFromNewPosition(String rule) {
     World world =
         new TestScenario()
             .camera(0, 0)
@@ -144,10 +144,10 @@ class ObservedNetworkTest {
    * The angle is bracketed first, and the model detects nothing at the lower end of the bracket.
    */
   @Test
-  void asksModelForExactAngleIfUndecided() {
+  void evaluatesModelAtExactAngleIfUndecided() {
     World world = new TestScenario().camera(0, 0).target(1, 2).world();
     double angle = world.cameras().pose(0).offAxis(1, 2);
-    DetectionModel aside =
+    DetectionModel offAxisModel =
         new DetectionModel() {
           @Override
           public String name() {
@@ -164,7 +164,7 @@ class ObservedNetworkTest {
             return true;
           }
         };
-    assertTrue(network(world, Detection.of(aside)).detects(0, 0, 0));
+    assertTrue(network(world, Detection.of(offAxisModel)).detects(0, 0, 0));
   }
 
   @Test

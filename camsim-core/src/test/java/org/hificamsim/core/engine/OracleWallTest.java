@@ -56,7 +56,7 @@ class OracleWallTest {
 
   /** Keeps its views. */
   private static class Keeping implements ZoomPolicy {
-    final Set<NetworkView> given = Collections.newSetFromMap(new IdentityHashMap<>());
+    final Set<NetworkView> receivedViews = Collections.newSetFromMap(new IdentityHashMap<>());
 
     @Override
     public String name() {
@@ -65,17 +65,17 @@ class OracleWallTest {
 
     @Override
     public void begin(NetworkView network, SplittableRandom random) {
-      given.add(network);
+      receivedViews.add(network);
     }
 
     @Override
     public void decide(NetworkView network, int[] views) {
-      given.add(network);
+      receivedViews.add(network);
     }
 
     @Override
     public void learn(NetworkView network) {
-      given.add(network);
+      receivedViews.add(network);
     }
   }
 
@@ -83,7 +83,7 @@ class OracleWallTest {
   private static final class KeepingBound extends Keeping implements OraclePolicy {
     @Override
     public void decide(OracleView network, int[] views) {
-      given.add(network);
+      receivedViews.add(network);
     }
   }
 
@@ -91,9 +91,9 @@ class OracleWallTest {
   void deployablePoliciesCannotReachTheOracle() {
     Keeping policy = new Keeping();
     run(policy);
-    assertEquals(1, policy.given.size(), "one view for the whole run");
+    assertEquals(1, policy.receivedViews.size(), "one view for the whole run");
     Walk walk = new Walk();
-    walk.from(policy.given.iterator().next());
+    walk.from(policy.receivedViews.iterator().next());
     assertEquals(List.of(), walk.found);
     assertTrue(walk.calls > 40, walk.calls + " calls");
   }
@@ -102,9 +102,9 @@ class OracleWallTest {
   void boundsReceiveTheOracle() {
     KeepingBound bound = new KeepingBound();
     run(bound);
-    assertTrue(bound.given.stream().allMatch(OracleView.class::isInstance));
+    assertTrue(bound.receivedViews.stream().allMatch(OracleView.class::isInstance));
     Walk walk = new Walk();
-    walk.from(bound.given.iterator().next());
+    walk.from(bound.receivedViews.iterator().next());
     assertFalse(walk.found.isEmpty(), "the walk finds an oracle where there is one");
   }
 
@@ -112,10 +112,10 @@ class OracleWallTest {
   void wrappersReceiveViewOfWrappedPolicy() {
     Keeping wrapper = new Keeping();
     run(OraclePolicy.wrapping(new KeepingBound(), wrapper));
-    assertTrue(wrapper.given.stream().allMatch(OracleView.class::isInstance));
+    assertTrue(wrapper.receivedViews.stream().allMatch(OracleView.class::isInstance));
     Keeping deployable = new Keeping();
     run(OraclePolicy.wrapping(new Keeping(), deployable));
-    assertTrue(deployable.given.stream().noneMatch(OracleView.class::isInstance));
+    assertTrue(deployable.receivedViews.stream().noneMatch(OracleView.class::isInstance));
   }
 
   private static void run(ZoomPolicy policy) {

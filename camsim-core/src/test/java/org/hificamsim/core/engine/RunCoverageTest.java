@@ -15,8 +15,8 @@ class RunCoverageTest {
   void aggregatesExpectedValuesOverSteps() {
     StepCoverage half = new StepCoverage();
     half.expect(new Coins());
-    coverage.stepped(at(0, 0), half);
-    coverage.stepped(at(0, 0), half);
+    coverage.stepped(networkWithViews(0, 0), half);
+    coverage.stepped(networkWithViews(0, 0), half);
     assertEquals(2 * 0.75 * 0.5, coverage.expectedPerformance());
     assertEquals(0.75, coverage.expectedMeanK());
     assertEquals(0.5, coverage.leastExpectedK());
@@ -59,11 +59,11 @@ class RunCoverageTest {
   }
 
   private void step(int... views) {
-    coverage.stepped(at(views), new StepCoverage());
+    coverage.stepped(networkWithViews(views), new StepCoverage());
   }
 
   /** A network that only answers the number of cameras and their views. */
-  private static OracleView at(int... views) {
+  private static OracleView networkWithViews(int... views) {
     return (OracleView)
         Proxy.newProxyInstance(
             OracleView.class.getClassLoader(),

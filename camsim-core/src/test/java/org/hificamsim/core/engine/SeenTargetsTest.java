@@ -45,7 +45,7 @@ class SeenTargetsTest {
     assertTrue(total > 20 && total < CAMERAS * TARGETS / 2, total + " seen");
   }
 
-  /** Checks the targets of a camera and their places in front of it. */
+  /** Checks the targets of a camera and their positions in front of it. */
   private static void assertFound(
       Map<Integer, Seen> seen, TestNetwork network, int camera, SeenPairs pairs) {
     Set<Integer> found = new TreeSet<>();

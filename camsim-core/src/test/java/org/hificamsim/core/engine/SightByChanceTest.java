@@ -52,10 +52,10 @@ class SightByChanceTest {
 
   @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
   void detectsTheSameFromTableAndFullModel(
-      @ForAll @IntRange(max = 2) int which, @ForAll long seed) {
+      @ForAll @IntRange(max = 2) int ruleNumber, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
-    String rule = List.of("chance", "chance:memory=3", "probability").get(which);
+    String rule = List.of("chance", "chance:memory=3", "probability").get(ruleNumber);
     double waves = random.nextBoolean() ? 0 : random.nextDouble(5);
     Visibility visibility = Visibility.of(detection(rule, waves, false), seed);
     Sight table = new Sight(world, visibility);

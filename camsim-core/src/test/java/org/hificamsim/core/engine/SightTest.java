@@ -65,20 +65,21 @@ class SightTest {
 
   @Property(tries = 80, edgeCases = EdgeCasesMode.NONE)
   void tabulatedModelDetectsAsTheFullModel(
-      @ForAll @IntRange(max = 4) int which, @ForAll long seed) {
+      @ForAll @IntRange(max = 4) int modelNumber, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
-    Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    Sight once = new Sight(world, Visibility.of(detection));
+    Detection detection = new Detection(model(modelNumber, random), random.nextDouble(0.05, 0.7));
+    Sight tabulated = new Sight(world, Visibility.of(detection));
     Sight full = new Sight(world, inFull(detection));
-    assertSame(world, once, full);
+    assertSame(world, tabulated, full);
   }
 
   @Property(tries = 200, edgeCases = EdgeCasesMode.NONE)
-  void lookSeesTargetsDetectedOneByOne(@ForAll @IntRange(max = 4) int which, @ForAll long seed) {
+  void lookSeesTargetsDetectedOneByOne(
+      @ForAll @IntRange(max = 4) int modelNumber, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = random.nextBoolean() ? randomWorld(random) : randomWorld(random, 0.66);
-    Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
+    Detection detection = new Detection(model(modelNumber, random), random.nextDouble(0.05, 0.7));
     assertLooksAsItDetects(world, new Sight(world, Visibility.of(detection)));
     assertLooksAsItDetects(world, new Sight(world, inFull(detection)));
   }
@@ -105,22 +106,22 @@ class SightTest {
     sight.look(detected, counts, new long[targets + 1]);
     SeenPairs found = new SeenPairs();
     sight.findSeen(found);
-    int at = 0;
+    int pair = 0;
     int[] expected = new int[targets];
     for (int camera = 0; camera < 5; camera++) {
-      int before = at;
+      int before = pair;
       for (int i = 0; i < targets; i++) {
         if (camera != 3 && sight.detects(camera, world.cameras().view(camera), i)) {
           expected[i]++;
-          assertEquals(camera, found.camera(at));
-          assertEquals(i, found.target(at++));
+          assertEquals(camera, found.camera(pair));
+          assertEquals(i, found.target(pair++));
         }
       }
-      assertEquals(at - before, detected[camera]);
+      assertEquals(pair - before, detected[camera]);
     }
-    assertEquals(at, found.count());
+    assertEquals(pair, found.count());
     assertArrayEquals(expected, counts);
-    assertTrue(at > 50 && detected[1] > 0 && detected[1] < detected[0], at + " seen");
+    assertTrue(pair > 50 && detected[1] > 0 && detected[1] < detected[0], pair + " seen");
   }
 
   /** Writes three words per view, and leaves the other words of the array unchanged. */
@@ -157,16 +158,16 @@ class SightTest {
     TestScenario scenario = new TestScenario().camera(TestScenario.camera("a", 0, 0, 0, 360, 5));
     // The squared distances of the last two exceed 25 by one and two units in the last place; the
     // root of the first of them is rounded to 5.
-    double[][] places = {{0, 0}, {3, 4}, {0x1p-24, 5}, {0x1.8p-24, 5}};
-    for (double[] place : places) {
-      scenario.target(place[0], place[1]);
+    double[][] positions = {{0, 0}, {3, 4}, {0x1p-24, 5}, {0x1.8p-24, 5}};
+    for (double[] position : positions) {
+      scenario.target(position[0], position[1]);
     }
     World world = scenario.zooms(5).world();
     Sight sight = new Sight(world, Visibility.of(Detection.of(new GeometricDetection())));
-    int[] counts = new int[places.length];
+    int[] counts = new int[positions.length];
     int[] detected = new int[1];
     sight.locate();
-    sight.look(detected, counts, new long[places.length + 1]);
+    sight.look(detected, counts, new long[positions.length + 1]);
     assertEquals(3, detected[0]);
     assertArrayEquals(new int[] {1, 1, 1, 0}, counts);
   }
@@ -186,17 +187,17 @@ class SightTest {
                 new ChangeCamera(3, "b", 5, 5, -1, 10, 8))
             .world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight once = new Sight(world, Visibility.of(detection));
+    Sight tabulated = new Sight(world, Visibility.of(detection));
     Sight full = new Sight(world, inFull(detection));
     int[] seenByA = {0, 1, 3, 3};
     for (int step = 0; step < 4; step++) {
       world.fireEvents(step);
-      once.beginStep(0);
+      tabulated.beginStep(0);
       full.beginStep(0);
-      assertSame(world, once, full);
+      assertSame(world, tabulated, full);
       int seen = 0;
       for (int target = 0; target < 3; target++) {
-        seen += once.detects(0, 0, target) ? 1 : 0;
+        seen += tabulated.detects(0, 0, target) ? 1 : 0;
       }
       assertEquals(seenByA[step], seen, "step " + step);
     }
@@ -206,13 +207,13 @@ class SightTest {
     return Visibility.of(new Detection(new InFull(detection.model()), detection.threshold()));
   }
 
-  private static void assertSame(World world, Sight once, Sight full) {
+  private static void assertSame(World world, Sight tabulated, Sight full) {
     for (int camera = 0; camera < world.cameras().count(); camera++) {
       for (int view = 0; view < world.cameras().views(camera); view++) {
         for (int target = 0; target < world.targets().count(); target++) {
           assertEquals(
               full.detects(camera, view, target),
-              once.detects(camera, view, target),
+              tabulated.detects(camera, view, target),
               "camera %s view %s target %s at (%s, %s)"
                   .formatted(
                       camera, view, target, world.targets().x(target), world.targets().y(target)));
@@ -244,10 +245,10 @@ class SightTest {
 
   @Property(tries = 50, edgeCases = EdgeCasesMode.NONE)
   void dominatingLevelDetectsAllOfTheOther(
-      @ForAll @IntRange(max = 4) int which, @ForAll long seed) {
+      @ForAll @IntRange(max = 4) int modelNumber, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
-    Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
+    Detection detection = new Detection(model(modelNumber, random), random.nextDouble(0.05, 0.7));
     Sight sight = new Sight(world, Visibility.of(detection));
     for (int camera = 0; camera < CAMERAS; camera++) {
       for (int view = 0; view < 3; view++) {
@@ -279,8 +280,8 @@ class SightTest {
     assertFalse(sight.dominates(0, 2, 0));
   }
 
-  private static DetectionModel model(int which, SplittableRandom random) {
-    return switch (which) {
+  private static DetectionModel model(int modelNumber, SplittableRandom random) {
+    return switch (modelNumber) {
       case 0 -> new CamSimRangeDetection();
       case 1 -> new CamSimStandardDetection();
       case 2 -> new GeometricDetection();

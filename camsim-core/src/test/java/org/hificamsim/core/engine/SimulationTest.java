@@ -80,21 +80,21 @@ class SimulationTest {
   }
 
   /** A scenario whose target leaves the reach of the camera with its third step. */
-  private static TestScenario leaving(StepOrder order) {
+  private static TestScenario leavingTarget(StepOrder order) {
     return new TestScenario().order(order).camera(0, 0).target(2.5, 0, 90, 1);
   }
 
   @Test
   void coverageObservesThenMoves() {
     List<String> seen = new ArrayList<>();
-    simulation(leaving(StepOrder.COVERAGE), widest(), recorder(seen)).run(5);
+    simulation(leavingTarget(StepOrder.COVERAGE), widest(), recorder(seen)).run(5);
     assertEquals(List.of("2.5:1", "3.5:1", "4.5:1", "5.5:0", "6.5:0"), seen);
   }
 
   @Test
   void camsimMovesThenObserves() {
     List<String> seen = new ArrayList<>();
-    simulation(leaving(StepOrder.CAMSIM), widest(), recorder(seen)).run(4);
+    simulation(leavingTarget(StepOrder.CAMSIM), widest(), recorder(seen)).run(4);
     assertEquals(List.of("3.5:1", "4.5:1", "5.5:0", "6.5:0"), seen);
   }
 
@@ -105,7 +105,7 @@ class SimulationTest {
   @Test
   void learnsFromObservationAfterDecision() {
     TestPolicy policy = widest();
-    simulation(leaving(StepOrder.CAMSIM), policy).run(4);
+    simulation(leavingTarget(StepOrder.CAMSIM), policy).run(4);
     assertEquals(
         List.of(
             "begin",
@@ -149,16 +149,16 @@ class SimulationTest {
 
   @Test
   void policyReceivesCurrentLevels() {
-    List<String> handed = new ArrayList<>();
+    List<String> receivedViews = new ArrayList<>();
     TestPolicy policy =
         new TestPolicy(
             (network, views) -> {
-              handed.add(Arrays.toString(views));
+              receivedViews.add(Arrays.toString(views));
               views[0] = 1;
             });
     simulation(new TestScenario().zooms(1, 2, 3).camera(0, 0).camera(0, 0).target(0, 0), policy)
         .run(2);
-    assertEquals(List.of("[2, 2]", "[1, 2]"), handed);
+    assertEquals(List.of("[2, 2]", "[1, 2]"), receivedViews);
   }
 
   @Test
@@ -236,7 +236,8 @@ class SimulationTest {
   @Test
   void callsListenersInOrder() {
     List<String> calls = new ArrayList<>();
-    simulation(leaving(StepOrder.CAMSIM), widest(), logger("a", calls), logger("b", calls)).run(2);
+    simulation(leavingTarget(StepOrder.CAMSIM), widest(), logger("a", calls), logger("b", calls))
+        .run(2);
     assertEquals(
         List.of("a started", "b started", "a 0", "b 0", "a 1", "b 1", "a ended", "b ended"), calls);
   }
@@ -356,11 +357,11 @@ class SimulationTest {
 
   @Test
   void phasesMakeSameStepsAsWholeSteps() {
-    List<String> whole = new ArrayList<>();
+    List<String> inWholeSteps = new ArrayList<>();
     List<String> inPhases = new ArrayList<>();
-    simulation(leaving(StepOrder.CAMSIM), widest(), recorder(whole)).run(3);
+    simulation(leavingTarget(StepOrder.CAMSIM), widest(), recorder(inWholeSteps)).run(3);
     StepPhases phases =
-        simulation(leaving(StepOrder.CAMSIM), widest(), recorder(inPhases)).phases();
+        simulation(leavingTarget(StepOrder.CAMSIM), widest(), recorder(inPhases)).phases();
     for (int step = 0; step < 3; step++) {
       for (StepPhase phase : StepPhase.values()) {
         phases.runUntil(phase);
@@ -370,12 +371,12 @@ class SimulationTest {
       phases.finishStep();
       assertEquals(StepPhase.FIRE_EVENTS, phases.next());
     }
-    assertEquals(whole, inPhases);
+    assertEquals(inWholeSteps, inPhases);
   }
 
   @Test
   void rejectsStepWithinStep() {
-    Simulation simulation = simulation(leaving(StepOrder.CAMSIM), widest());
+    Simulation simulation = simulation(leavingTarget(StepOrder.CAMSIM), widest());
     simulation.phases().runUntil(StepPhase.OBSERVE);
     assertThrows(IllegalStateException.class, simulation::step);
     simulation.phases().finishStep();
@@ -385,15 +386,17 @@ class SimulationTest {
 
   @Test
   void coverageIsZeroWithoutStepsOrTargets() {
-    RunCoverage none = new RunCoverage();
-    simulation(new TestScenario().camera(0, 0), widest(), none).run(0);
-    assertEquals(0, none.meanKMin());
-    assertEquals(0, none.meanK());
-    RunCoverage empty = new RunCoverage();
-    simulation(new TestScenario().camera(0, 0), widest(), empty).run(3);
-    assertEquals(3, empty.steps());
-    assertEquals(0, empty.performance());
-    assertEquals(0, empty.proportion0() + empty.proportion1() + empty.proportionK());
+    RunCoverage withoutSteps = new RunCoverage();
+    simulation(new TestScenario().camera(0, 0), widest(), withoutSteps).run(0);
+    assertEquals(0, withoutSteps.meanKMin());
+    assertEquals(0, withoutSteps.meanK());
+    RunCoverage withoutTargets = new RunCoverage();
+    simulation(new TestScenario().camera(0, 0), widest(), withoutTargets).run(3);
+    assertEquals(3, withoutTargets.steps());
+    assertEquals(0, withoutTargets.performance());
+    assertEquals(
+        0,
+        withoutTargets.proportion0() + withoutTargets.proportion1() + withoutTargets.proportionK());
   }
 
   @Test
@@ -445,7 +448,7 @@ class SimulationTest {
   @Test
   void continuesAtGivenStep() {
     TestPolicy policy = widest();
-    simulation(leaving(StepOrder.CAMSIM), policy).continuingAt(7).run(1);
+    simulation(leavingTarget(StepOrder.CAMSIM), policy).continuingAt(7).run(1);
     assertEquals(List.of("begin", "decide 7 0", "learn 7 1"), policy.log);
   }
 
@@ -464,7 +467,7 @@ class SimulationTest {
             policy.log.add("cooperate");
           }
         };
-    World world = leaving(StepOrder.CAMSIM).world();
+    World world = leavingTarget(StepOrder.CAMSIM).world();
     new Simulation(world, ALL_IN_REACH, new Behaviour(policy, cooperation), 0, List.of()).run(1);
     assertEquals(List.of("begin", "prepare", "decide 0 0", "cooperate", "learn 0 1"), policy.log);
   }

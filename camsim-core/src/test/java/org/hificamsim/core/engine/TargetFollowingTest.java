@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class TargetFollowingTest {
   /** A target goes east from x = -9.5, a metre in each step. */
-  private static TestScenario walk() {
+  private static TestScenario eastwardWalk() {
     return new TestScenario().order(StepOrder.COVERAGE).target(-9.5, 0, 90, 1);
   }
 
@@ -41,7 +41,9 @@ class TargetFollowingTest {
   @Test
   void targetIsLostBetweenTwoCamerasAndFoundAgain() {
     TestScenario scenario =
-        walk().camera(camera("west", -4, 0, 0, 360, 3)).camera(camera("east", 4, 0, 0, 360, 3));
+        eastwardWalk()
+            .camera(camera("west", -4, 0, 0, 360, 3))
+            .camera(camera("east", 4, 0, 0, 360, 3));
     // Covered in steps 3 to 8 (x from -6.5 to -1.5) and 11 to 16; there from step 0 to 19.
     assertEquals(new FollowingSums(3, 2, 2, 1, 6.0 / 20, 0), follow(scenario, 20));
   }
@@ -49,7 +51,9 @@ class TargetFollowingTest {
   @Test
   void targetPassesToTheNextCameraWithoutGap() {
     TestScenario scenario =
-        walk().camera(camera("west", -6, 0, 0, 360, 4)).camera(camera("east", -1, 0, 0, 360, 4));
+        eastwardWalk()
+            .camera(camera("west", -6, 0, 0, 360, 4))
+            .camera(camera("east", -1, 0, 0, 360, 4));
     // In sight of the first camera until x = -2.5, of the second one from -4.5 to 2.5.
     assertEquals(new FollowingSums(0, Double.NaN, 0, 0, 1, 1), follow(scenario, 13));
   }
@@ -57,7 +61,7 @@ class TargetFollowingTest {
   @Test
   void targetThatVanishesWhileLostIsNotFoundAgain() {
     TestScenario scenario =
-        walk()
+        eastwardWalk()
             .camera(camera("west", -6, 0, 0, 360, 2))
             .events(new ScenarioEvent.RemoveTarget(10, 0));
     // Covered in steps 2 to 5 of 10.
@@ -65,7 +69,7 @@ class TargetFollowingTest {
   }
 
   @Test
-  void nothingIsMeasuredWithoutTargets() {
+  void measuresNothingWithoutTargets() {
     TestScenario scenario = new TestScenario().camera(0, 0);
     FollowingSums none = new FollowingSums(Double.NaN, Double.NaN, 0, 0, Double.NaN, 0);
     assertEquals(none, follow(scenario, 5));
@@ -73,7 +77,7 @@ class TargetFollowingTest {
 
   @Test
   void targetThatNobodyFindsHasNoTimeToFind() {
-    TestScenario scenario = walk().camera(camera("far", 0, 9, 0, 360, 1));
+    TestScenario scenario = eastwardWalk().camera(camera("far", 0, 9, 0, 360, 1));
     assertEquals(new FollowingSums(Double.NaN, Double.NaN, 0, 0, 0, 0), follow(scenario, 9));
   }
 
@@ -115,7 +119,7 @@ class TargetFollowingTest {
     }
   }
 
-  /** Counts everything again from the diary, by text alone. */
+  /** Computes the sums from the letters of the diary. */
   private static FollowingSums recount(Diary diary) {
     List<Integer> finds = new ArrayList<>();
     List<Integer> gaps = new ArrayList<>();

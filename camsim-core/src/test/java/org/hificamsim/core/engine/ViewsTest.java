@@ -69,7 +69,7 @@ class ViewsTest {
         network.detections(camera, masks, words);
         for (int view = 0; view < world.cameras().views(camera); view++) {
           for (int target = 0; target < world.targets().count(); target++) {
-            boolean expected = oneByOne(world, visibility, step, camera, view, target);
+            boolean expected = detectsDirectly(world, visibility, step, camera, view, target);
             assertEquals(expected, network.detects(camera, view, target));
             assertEquals(expected, (masks[view * words + (target >> 6)] >> target & 1) == 1);
           }
@@ -80,7 +80,7 @@ class ViewsTest {
   }
 
   /** Evaluates one pair directly from the scenario. */
-  private static boolean oneByOne(
+  private static boolean detectsDirectly(
       World world, Visibility visibility, int step, int camera, int view, int target) {
     Pose pose = world.cameras().pose(camera);
     double x = world.targets().x(target);
@@ -203,8 +203,8 @@ class ViewsTest {
     TestScenario scenario = new TestScenario().zooms(2, 4, 7);
     List<OpticsSpec> optics = List.of(optics(random), optics(random));
     for (int camera = 0; camera < 3; camera++) {
-      double x = place(random);
-      double y = place(random);
+      double x = coordinate(random);
+      double y = coordinate(random);
       double heading = random.nextDouble(360);
       scenario.camera(
           random.nextInt(4) == 0
@@ -214,11 +214,13 @@ class ViewsTest {
     for (int target = 0; target < 6; target++) {
       double size = random.nextBoolean() ? 0.66 : random.nextDouble(0.1, 2);
       scenario.target(
-          TestScenario.target(target, place(random), place(random), random.nextInt(360), 0.7)
+          TestScenario.target(
+                  target, coordinate(random), coordinate(random), random.nextInt(360), 0.7)
               .withSize(size));
     }
     scenario.events(
-        new ScenarioEvent.ChangeCamera(2, "c0", place(random), place(random), 45, -1, -1));
+        new ScenarioEvent.ChangeCamera(
+            2, "c0", coordinate(random), coordinate(random), 45, -1, -1));
     return scenario
         .with(Scenario.OBSTACLES, obstacles(random))
         .with(Scenario.OCCLUSION, random.nextInt(3) == 0 ? Occlusion.TARGETS : Occlusion.NONE)
@@ -226,7 +228,7 @@ class ViewsTest {
   }
 
   /** Returns a lattice coordinate, so that lines of sight graze corners and run along walls. */
-  private static double place(SplittableRandom random) {
+  private static double coordinate(SplittableRandom random) {
     return random.nextInt(-9, 10);
   }
 
@@ -240,8 +242,8 @@ class ViewsTest {
   }
 
   private static Obstacle obstacle(SplittableRandom random, double transmittance) {
-    double x = place(random);
-    double y = place(random);
+    double x = coordinate(random);
+    double y = coordinate(random);
     return switch (random.nextInt(3)) {
       case 0 ->
           new Obstacle.Wall(

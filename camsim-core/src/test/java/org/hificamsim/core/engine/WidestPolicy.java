@@ -3,7 +3,7 @@ package org.hificamsim.core.engine;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
-/** Every camera at its widest view. */
+/** Keeps every camera at its widest view. */
 public final class WidestPolicy implements ZoomPolicy {
   @Override
   public String name() {

@@ -24,15 +24,15 @@ class OutputFileTest {
 
   @Test
   void replacesEarlierFileOnlyAtCommit() throws IOException {
-    Path place = Files.writeString(folder.resolve("place"), "earlier");
-    try (OutputFile file = new OutputFile(place)) {
+    Path destination = Files.writeString(folder.resolve("place"), "earlier");
+    try (OutputFile file = new OutputFile(destination)) {
       try (Writer out = file.open()) {
         out.write("later");
       }
-      assertEquals("earlier", Files.readString(place));
+      assertEquals("earlier", Files.readString(destination));
       file.commit();
     }
-    assertEquals("later", Files.readString(place));
+    assertEquals("later", Files.readString(destination));
     assertEquals(List.of("place"), names());
   }
 
@@ -65,14 +65,14 @@ class OutputFileTest {
 
   @Test
   void concurrentWritersLeaveOneWholeFile() throws IOException {
-    Path place = folder.resolve("place");
+    Path destination = folder.resolve("place");
     List<String> texts = IntStream.range(0, 4).mapToObj(i -> (i + "\n").repeat(200_000)).toList();
     CompletableFuture.allOf(
             texts.stream()
-                .map(text -> CompletableFuture.runAsync(() -> write(place, text)))
+                .map(text -> CompletableFuture.runAsync(() -> write(destination, text)))
                 .toArray(CompletableFuture[]::new))
         .join();
-    assertTrue(texts.contains(Files.readString(place)));
+    assertTrue(texts.contains(Files.readString(destination)));
     assertEquals(List.of("place"), names());
   }
 
@@ -93,9 +93,9 @@ class OutputFileTest {
     assertEquals("later", Files.readString(folder.resolve("place")));
   }
 
-  private static void write(Path place, String text) {
+  private static void write(Path destination, String text) {
     try {
-      new OutputFile(place).write(text);
+      new OutputFile(destination).write(text);
     } catch (IOException e) {
       throw new IllegalStateException(e);
     }
@@ -109,9 +109,9 @@ class OutputFileTest {
 
   @Test
   void replacesExistingFileOnlyIfForced() throws IOException {
-    Path place = Files.writeString(folder.resolve("place"), "mine");
+    Path destination = Files.writeString(folder.resolve("place"), "mine");
     Path link = Files.createSymbolicLink(folder.resolve("link"), folder.resolve("nowhere"));
-    for (Path there : List.of(place, link)) {
+    for (Path there : List.of(destination, link)) {
       InputException e =
           assertThrows(InputException.class, () -> OutputFile.of("--out", there, false));
       assertEquals(
@@ -122,6 +122,6 @@ class OutputFileTest {
     Files.writeString(folder.resolve("later"), "mine");
     assertThrows(InputException.class, () -> later.write("ours"));
     assertEquals("mine", Files.readString(folder.resolve("later")));
-    assertEquals("mine", Files.readString(place));
+    assertEquals("mine", Files.readString(destination));
   }
 }

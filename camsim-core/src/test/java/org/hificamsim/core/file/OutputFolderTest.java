@@ -30,10 +30,10 @@ class OutputFolderTest {
   @BeforeEach
   void createFolderWithEarlierFile() throws IOException {
     folder = Files.createDirectory(above.resolve("folder"));
-    earlier("a");
+    writeEarlier("a");
   }
 
-  private void earlier(String... names) throws IOException {
+  private void writeEarlier(String... names) throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
       for (String name : names) {
         output.write(name, "earlier");
@@ -44,7 +44,7 @@ class OutputFolderTest {
 
   @Test
   void commitShowsNewFilesAndRemovesStaleOnes() throws IOException {
-    earlier("stale");
+    writeEarlier("stale");
     try (OutputFolder output = new OutputFolder(folder)) {
       write(output, "a");
       write(output, "b");
@@ -79,12 +79,13 @@ class OutputFolderTest {
     assertNotCreated("folder '" + file + "' is a file, expected a folder", file);
     Path below = file.resolve("below");
     assertNotCreated("folder '" + below + "' cannot be made: ", below);
-    assertEquals(above.resolve("b/c"), OutputFolder.made(above.resolve("b/c")));
+    assertEquals(above.resolve("b/c"), OutputFolder.create(above.resolve("b/c")));
     assertTrue(Files.isDirectory(above.resolve("b/c")));
   }
 
   private static void assertNotCreated(String expected, Path path) {
-    String message = assertThrows(InputException.class, () -> OutputFolder.made(path)).getMessage();
+    String message =
+        assertThrows(InputException.class, () -> OutputFolder.create(path)).getMessage();
     assertEquals(expected, message.substring(0, Math.min(expected.length(), message.length())));
     assertTrue(message.matches(".*(expected .*|: [A-Za-z ]+)"), message);
     assertFalse(message.contains("Exception"), "what the system says: " + message);
@@ -93,21 +94,22 @@ class OutputFolderTest {
   @Test
   void errorWithoutReasonNamesTheExceptionClass() throws IOException {
     Path link = Files.createSymbolicLink(above.resolve("link"), above.resolve("nowhere"));
-    String message = assertThrows(InputException.class, () -> OutputFolder.made(link)).getMessage();
+    String message =
+        assertThrows(InputException.class, () -> OutputFolder.create(link)).getMessage();
     assertEquals("folder '" + link + "' cannot be made: FileAlreadyExistsException", message);
   }
 
   @Test
   void isRecognisedFromFirstDraftOn() throws IOException {
     Path other = above.resolve("other");
-    assertFalse(OutputFolder.isOne(other));
+    assertFalse(OutputFolder.isOutputFolder(other));
     try (OutputFolder output = new OutputFolder(other)) {
-      assertTrue(OutputFolder.isOne(other));
+      assertTrue(OutputFolder.isOutputFolder(other));
       write(output, "b");
       assertEquals("later", Files.readString(output.drafts().resolve("b")));
       output.commit(List.of());
     }
-    assertTrue(OutputFolder.isOne(other));
+    assertTrue(OutputFolder.isOutputFolder(other));
   }
 
   @Test
@@ -202,7 +204,7 @@ class OutputFolderTest {
 
   @Test
   void neitherReplacesNorRemovesForeignFiles() throws IOException {
-    earlier("changed", "stale");
+    writeEarlier("changed", "stale");
     Files.writeString(folder.resolve("changed"), "mine");
     Files.writeString(folder.resolve("stale"), "mine");
     Files.writeString(folder.resolve("own"), "mine");
@@ -256,7 +258,7 @@ class OutputFolderTest {
     Set<String> seen = new HashSet<>();
     boolean killed = true;
     for (int steps = 0; killed; steps++) {
-      earlier("a", "b", "stale");
+      writeEarlier("a", "b", "stale");
       killed = killedAfter(steps);
       OutputFolder.settle(folder);
       String content = contents();
@@ -294,17 +296,17 @@ class OutputFolderTest {
 
   @Test
   void commitChangesTheDiskOncePerStep() throws IOException {
-    earlier("a", "b", "stale");
+    writeEarlier("a", "b", "stale");
     List<Set<String>> steps = new ArrayList<>();
-    List<Map<String, String>> disk = new ArrayList<>(List.of(Map.of()));
+    List<Map<String, String>> readDisk = new ArrayList<>(List.of(Map.of()));
     Runnable compare =
         () -> {
-          Map<String, String> now = Io.get(this::disk);
+          Map<String, String> now = Io.get(this::readDisk);
           Set<String> changed = new TreeSet<>(now.keySet());
-          changed.addAll(disk.get(0).keySet());
-          changed.removeIf(file -> Objects.equals(now.get(file), disk.get(0).get(file)));
+          changed.addAll(readDisk.get(0).keySet());
+          changed.removeIf(file -> Objects.equals(now.get(file), readDisk.get(0).get(file)));
           steps.add(changed);
-          disk.set(0, now);
+          readDisk.set(0, now);
         };
     try (OutputFolder output = new OutputFolder(folder, compare)) {
       write(output, "a");
@@ -331,14 +333,14 @@ class OutputFolderTest {
         steps);
   }
 
-  private Map<String, String> disk() throws IOException {
+  private Map<String, String> readDisk() throws IOException {
     try (Stream<Path> files = Files.walk(folder)) {
-      Map<String, String> disk = new TreeMap<>();
+      Map<String, String> readDisk = new TreeMap<>();
       for (Path file : files.filter(Files::isRegularFile).toList()) {
-        disk.put(folder.relativize(file).toString(), Files.readString(file));
+        readDisk.put(folder.relativize(file).toString(), Files.readString(file));
       }
-      disk.remove(".hificamsim/lock");
-      return disk;
+      readDisk.remove(".hificamsim/lock");
+      return readDisk;
     }
   }
 
@@ -371,11 +373,12 @@ class OutputFolderTest {
 
   @Test
   void killedRecoveryIsCompletedByNextCommand() throws IOException {
-    earlier("a", "b", "stale");
+    writeEarlier("a", "b", "stale");
     assertTrue(killedAfter(3));
     assertTrue(Files.exists(folder.resolve(".hificamsim/commit")));
-    assertTrue(killedAfter(0)); // while it completes the earlier commit
-    earlier("c");
+    // Killed while it completes the earlier commit.
+    assertTrue(killedAfter(0));
+    writeEarlier("c");
     assertEquals("a=later b=later c=earlier ", contents());
   }
 
@@ -386,7 +389,8 @@ class OutputFolderTest {
         assertThrows(InputException.class, () -> new OutputFolder(folder)).getMessage();
     assertTrue(message.matches("'.*' cannot be used \\(.*\\), expected .*"), message);
     assertTrue(Files.exists(below));
-    assertThrows(InputException.class, () -> new OutputFolder(folder)); // no lock is left
+    // The error has left no lock.
+    assertThrows(InputException.class, () -> new OutputFolder(folder));
   }
 
   private static void write(OutputFolder output, String name) throws IOException {

@@ -19,8 +19,9 @@ class DiscsTest {
       double angle = random.nextDouble(2 * Math.PI);
       double atX = x + radius * Math.cos(angle);
       double atY = y + radius * Math.sin(angle);
-      Point at = new Point(atX, atY);
-      boolean inside = Exact.touches(new Obstacle.Pillar(x, y, radius, 0), at, at);
+      Point borderPoint = new Point(atX, atY);
+      boolean inside =
+          Exact.touches(new Obstacle.Pillar(x, y, radius, 0), borderPoint, borderPoint);
       double dx = atX - x;
       double dy = atY - y;
       wrong += dx * dx + dy * dy <= radius * radius == inside ? 0 : 1;

@@ -17,16 +17,20 @@ final class Exact {
     boolean cross =
         orientation(a, b, c) * orientation(a, b, d) < 0
             && orientation(c, d, a) * orientation(c, d, b) < 0;
-    return cross || on(a, c, d) || on(b, c, d) || on(c, a, b) || on(d, a, b);
+    return cross
+        || isOnSegment(a, c, d)
+        || isOnSegment(b, c, d)
+        || isOnSegment(c, a, b)
+        || isOnSegment(d, a, b);
   }
 
-  private static boolean on(Point point, Point from, Point to) {
+  private static boolean isOnSegment(Point point, Point from, Point to) {
     return orientation(from, to, point) == 0
-        && between(point.x(), from.x(), to.x())
-        && between(point.y(), from.y(), to.y());
+        && isBetween(point.x(), from.x(), to.x())
+        && isBetween(point.y(), from.y(), to.y());
   }
 
-  private static boolean between(double value, double a, double b) {
+  private static boolean isBetween(double value, double a, double b) {
     return (value >= a || value >= b) && (value <= a || value <= b);
   }
 

@@ -128,24 +128,24 @@ class ObstaclesTest {
   }
 
   private static Geometry segment(Point from, Point to) {
-    return from.equals(to) ? JTS.createPoint(at(from)) : line(from, to);
+    return from.equals(to) ? JTS.createPoint(coordinateOf(from)) : line(from, to);
   }
 
   private static Geometry line(Point from, Point to) {
-    return JTS.createLineString(new Coordinate[] {at(from), at(to)});
+    return JTS.createLineString(new Coordinate[] {coordinateOf(from), coordinateOf(to)});
   }
 
   private static Geometry geometry(Obstacle obstacle) {
     if (obstacle instanceof Obstacle.Polygon polygon) {
       Stream<Point> ring =
           Stream.concat(polygon.points().stream(), Stream.of(polygon.points().get(0)));
-      return JTS.createPolygon(ring.map(ObstaclesTest::at).toArray(Coordinate[]::new));
+      return JTS.createPolygon(ring.map(ObstaclesTest::coordinateOf).toArray(Coordinate[]::new));
     }
     Obstacle.Wall wall = (Obstacle.Wall) obstacle;
     return line(new Point(wall.x1(), wall.y1()), new Point(wall.x2(), wall.y2()));
   }
 
-  private static Coordinate at(Point point) {
+  private static Coordinate coordinateOf(Point point) {
     return new Coordinate(point.x(), point.y());
   }
 }

@@ -26,7 +26,7 @@ class SightInSpaceTest {
 
   private final Random random = new Random(38);
 
-  private double in(double from, double to) {
+  private double randomBetween(double from, double to) {
     return from + random.nextDouble() * (to - from);
   }
 
@@ -49,11 +49,11 @@ class SightInSpaceTest {
   }
 
   private boolean check(Obstacles obstacles, List<Solid> solids) {
-    double[] eye = {in(-10, 10), in(-10, 10), in(0, 8)};
-    double height = in(0.5, 2.2);
+    double[] eye = {randomBetween(-10, 10), randomBetween(-10, 10), randomBetween(0, 8)};
+    double height = randomBetween(0.5, 2.2);
     Seen seen = Seen.values()[random.nextInt(3)];
-    double x = in(-10, 10);
-    double y = in(-10, 10);
+    double x = randomBetween(-10, 10);
+    double y = randomBetween(-10, 10);
     double low = seen.low(height);
     double high = seen.high(height);
     double[] foot = {x, y, low};
@@ -69,12 +69,12 @@ class SightInSpaceTest {
   }
 
   private void add(List<Obstacle> obstacles, List<Solid> solids) {
-    double base = random.nextBoolean() ? 0 : in(0, 3);
-    double top = random.nextInt(5) == 0 ? Double.POSITIVE_INFINITY : base + in(0.3, 4);
-    double x = in(-8, 8);
-    double y = in(-8, 8);
-    double angle = in(0, Math.PI);
-    double length = in(0.5, 5);
+    double base = random.nextBoolean() ? 0 : randomBetween(0, 3);
+    double top = random.nextInt(5) == 0 ? Double.POSITIVE_INFINITY : base + randomBetween(0.3, 4);
+    double x = randomBetween(-8, 8);
+    double y = randomBetween(-8, 8);
+    double angle = randomBetween(0, Math.PI);
+    double length = randomBetween(0.5, 5);
     switch (random.nextInt(3)) {
       case 0 -> {
         double dx = length * Math.cos(angle);
@@ -92,7 +92,7 @@ class SightInSpaceTest {
                     margin));
       }
       case 1 -> {
-        double width = in(0.2, 3);
+        double width = randomBetween(0.2, 3);
         obstacles.add(new Obstacle.Polygon(box(x, y, angle, length, width), 0, base, top));
         solids.add(
             (eye, foot, head, margin) ->
@@ -107,7 +107,7 @@ class SightInSpaceTest {
                     margin));
       }
       default -> {
-        double radius = in(0.2, 2);
+        double radius = randomBetween(0.2, 2);
         obstacles.add(new Obstacle.Pillar(x, y, radius, 0, base, top));
         solids.add(
             (eye, foot, head, margin) ->

@@ -81,14 +81,14 @@ class TargetOcclusionTest {
     double[] y = {0, 0.3, -4, 2, 1};
     double[] radius = {1, 0.2, 3, 0.7, 0.1};
     int[] hidden = new int[1];
-    Runnable asking =
+    Runnable queries =
         () -> {
           for (int i = 0; i < 10_000; i++) {
             boolean hides = TargetOcclusion.hidden(0.3, i / 1e4, i % 5, x, y, radius, 5);
             hidden[0] += hides ? 1 : 0;
           }
         };
-    assertEquals(0, AllocatedBytes.fewest(() -> AllocatedBytes.by(asking)));
+    assertEquals(0, AllocatedBytes.fewest(() -> AllocatedBytes.by(queries)));
     assertTrue(hidden[0] > 0);
   }
 

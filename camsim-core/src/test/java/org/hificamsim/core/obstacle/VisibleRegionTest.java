@@ -25,24 +25,24 @@ class VisibleRegionTest {
 
   private static void assertSame(RandomPlace place, int most) {
     Obstacles obstacles = place.obstacles(most, false);
-    Point at = place.target(obstacles, place.point());
-    VisibleRegion region = VisibleRegion.of(obstacles, at.x(), at.y());
+    Point standpoint = place.target(obstacles, place.point());
+    VisibleRegion region = VisibleRegion.of(obstacles, standpoint.x(), standpoint.y());
     for (int i = 0; i < 100; i++) {
-      assertSame(obstacles, region, at, place.target(obstacles, at));
+      assertSame(obstacles, region, standpoint, place.target(obstacles, standpoint));
     }
-    assertSame(obstacles, region, at, at);
+    assertSame(obstacles, region, standpoint, standpoint);
   }
 
   private static void assertSame(
-      Obstacles obstacles, VisibleRegion region, Point at, Point target) {
+      Obstacles obstacles, VisibleRegion region, Point standpoint, Point target) {
     assertEquals(
-        obstacles.transmittance(at.x(), at.y(), target.x(), target.y()),
+        obstacles.transmittance(standpoint.x(), standpoint.y(), target.x(), target.y()),
         region.transmittance(target.x(), target.y()),
-        () -> "from " + at + " to " + target + " past " + obstacles.all());
+        () -> "from " + standpoint + " to " + target + " past " + obstacles.all());
     assertEquals(
-        obstacles.clear(at.x(), at.y(), target.x(), target.y()),
+        obstacles.clear(standpoint.x(), standpoint.y(), target.x(), target.y()),
         region.transmittance(target.x(), target.y()) > 0,
-        () -> "from " + at + " to " + target + " past " + obstacles.all());
+        () -> "from " + standpoint + " to " + target + " past " + obstacles.all());
   }
 
   @Test
@@ -91,13 +91,13 @@ class VisibleRegionTest {
     }
     VisibleRegion region = VisibleRegion.of(new Obstacles(walls), 50, 50);
     int[] seen = new int[1];
-    Runnable asking =
+    Runnable queries =
         () -> {
           for (int i = 0; i < 10_000; i++) {
             seen[0] += region.transmittance(i % 100, i / 100.0) < 1 ? 1 : 0;
           }
         };
-    assertEquals(0, AllocatedBytes.fewest(() -> AllocatedBytes.by(asking)));
+    assertEquals(0, AllocatedBytes.fewest(() -> AllocatedBytes.by(queries)));
     assertTrue(seen[0] > 0);
   }
 

@@ -55,7 +55,7 @@ class DefaultsTest {
   }
 
   @Test
-  void reportsPlacesOfSeenTargetsOnly() {
+  void findsPositionsOfSeenTargetsOnly() {
     SeenPairs pairs = new SeenPairs();
     VIEW.findSeen(pairs);
     int[] pairsOfLast =

@@ -62,8 +62,8 @@ record AttributeDoc(List<Property<?, ?>> attributes, String meaning, String othe
     if (isRequired()) {
       return "required";
     }
-    Stream<String> own = attributes.stream().flatMap(AttributeDoc::standard).distinct();
-    return otherwise.isEmpty() ? own.collect(Collectors.joining(", ")) : otherwise;
+    Stream<String> defaults = attributes.stream().flatMap(AttributeDoc::standard).distinct();
+    return otherwise.isEmpty() ? defaults.collect(Collectors.joining(", ")) : otherwise;
   }
 
   private static <T> Stream<String> standard(Property<?, T> attribute) {

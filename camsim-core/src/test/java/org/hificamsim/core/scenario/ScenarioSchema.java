@@ -153,7 +153,7 @@ final class ScenarioSchema {
   private void attribute(String name, boolean required, String meaning, String schema) {
     open("attribute name=\"" + name + "\"" + (required ? " use=\"required\"" : ""));
     documentation(meaning);
-    in("simpleType", () -> type(schema));
+    nested("simpleType", () -> type(schema));
     close("attribute");
   }
 
@@ -162,7 +162,9 @@ final class ScenarioSchema {
     if (alternatives.size() == 1) {
       restriction(schema);
     } else {
-      in("union", () -> alternatives.forEach(item -> in("simpleType", () -> restriction(item))));
+      nested(
+          "union",
+          () -> alternatives.forEach(item -> nested("simpleType", () -> restriction(item))));
     }
   }
 
@@ -170,7 +172,9 @@ final class ScenarioSchema {
     Matcher list = LIST.matcher(schema);
     if (list.matches()) {
       open("restriction");
-      in("simpleType", () -> in("list", () -> in("simpleType", () -> restriction(list.group(1)))));
+      nested(
+          "simpleType",
+          () -> nested("list", () -> nested("simpleType", () -> restriction(list.group(1)))));
       facets(list.group(2));
     } else {
       String[] parts = schema.split(" ", 2);
@@ -191,7 +195,7 @@ final class ScenarioSchema {
 
   private void documentation(String markdown) {
     String text = markdown.replaceAll("\\[(.*?)]\\(.*?\\)", "$1").replaceAll("[`*]", "");
-    in(
+    nested(
         "annotation",
         () ->
             line(
@@ -204,7 +208,7 @@ final class ScenarioSchema {
     return text.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;");
   }
 
-  private void in(String name, Runnable content) {
+  private void nested(String name, Runnable content) {
     open(name);
     content.run();
     close(name);

@@ -22,13 +22,13 @@ import org.junit.jupiter.api.Test;
 class HiddenSharesTest {
   private final Random random = new Random(56);
 
-  /** In addition to those of every scene. */
+  /** The number of walls in addition to those of every scene. */
   private int walls;
 
   private int scenes = 30;
   private int raster = 150;
 
-  private double in(double from, double to) {
+  private double randomBetween(double from, double to) {
     return from + random.nextDouble() * (to - from);
   }
 
@@ -74,11 +74,11 @@ class HiddenSharesTest {
     CameraSpec camera = new CameraSpec("c", 0, 0, 50);
     List<TargetSpec> targets = new ArrayList<>();
     for (int i = 0; i < 40; i++) {
-      double angle = in(-Math.PI, Math.PI);
-      double distance = in(0.7, 15);
+      double angle = randomBetween(-Math.PI, Math.PI);
+      double distance = randomBetween(0.7, 15);
       targets.add(
           new TargetSpec(i, distance * Math.cos(angle), distance * Math.sin(angle))
-              .withExtent(new Extent(in(0.3, 1.2), in(1, 2))));
+              .withExtent(new Extent(randomBetween(0.3, 1.2), randomBetween(1, 2))));
     }
     Scenario scenario =
         scenario(Double.isNaN(z) ? camera : camera.with(CameraSpec.Z, z), targets)
@@ -93,24 +93,30 @@ class HiddenSharesTest {
   }
 
   private List<Obstacle> obstacles(boolean flat) {
-    double top = flat ? Double.POSITIVE_INFINITY : in(0.5, 3);
-    double x = in(3, 8);
-    double y = in(-8, 8);
+    double top = flat ? Double.POSITIVE_INFINITY : randomBetween(0.5, 3);
+    double x = randomBetween(3, 8);
+    double y = randomBetween(-8, 8);
     List<Point> points = List.of(new Point(x, y), new Point(x + 1, y), new Point(x, y + 2));
     List<Obstacle> obstacles = new ArrayList<>();
     for (int i = 0; i < walls; i++) {
-      double fromX = in(-15, 15);
-      double fromY = in(-15, 15);
-      double height = flat || i % 3 == 0 ? Double.POSITIVE_INFINITY : in(0.3, 5);
-      double base = flat || i % 5 != 0 ? 0 : in(0, 0.3);
+      double fromX = randomBetween(-15, 15);
+      double fromY = randomBetween(-15, 15);
+      double height = flat || i % 3 == 0 ? Double.POSITIVE_INFINITY : randomBetween(0.3, 5);
+      double base = flat || i % 5 != 0 ? 0 : randomBetween(0, 0.3);
       obstacles.add(
           new Obstacle.Wall(
-              fromX, fromY, fromX + in(-4, 4), fromY + in(-4, 4), 0, base, base + height));
+              fromX,
+              fromY,
+              fromX + randomBetween(-4, 4),
+              fromY + randomBetween(-4, 4),
+              0,
+              base,
+              base + height));
     }
     Collections.addAll(
         obstacles,
-        new Obstacle.Wall(-9, in(-9, 9), -3, in(-9, 9), 0, 0, top),
-        new Obstacle.Wall(-2, 5, 2, in(4, 7), 0, 0, Double.POSITIVE_INFINITY),
+        new Obstacle.Wall(-9, randomBetween(-9, 9), -3, randomBetween(-9, 9), 0, 0, top),
+        new Obstacle.Wall(-2, 5, 2, randomBetween(4, 7), 0, 0, Double.POSITIVE_INFINITY),
         new Obstacle.Wall(-2, -5, 2, -6, 0.5, 0, Double.POSITIVE_INFINITY),
         new Obstacle.Polygon(points, 0, 0, top),
         new Obstacle.Pillar(5, 0, 0.4, 0, 0, Double.POSITIVE_INFINITY));

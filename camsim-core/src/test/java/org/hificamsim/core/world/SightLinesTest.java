@@ -50,11 +50,11 @@ class SightLinesTest {
   }
 
   @Test
-  void movedCameraSeesFromNewPlace() {
+  void movedCameraSeesFromNewPosition() {
     World world = world(Occlusion.NONE, WALL);
-    for (double[] place : new double[][] {{9, 0}, {0, 0}, {0, 4}, {0, 0}}) {
-      world.moveCamera(0, place[0], place[1]);
-      boolean hidden = place[0] == 0 && place[1] == 0;
+    for (double[] position : new double[][] {{9, 0}, {0, 0}, {0, 4}, {0, 0}}) {
+      world.moveCamera(0, position[0], position[1]);
+      boolean hidden = position[0] == 0 && position[1] == 0;
       assertEquals(hidden ? 0 : 1, world.sightLines().transmittance(0, 1));
     }
     world.fireEvents(1);

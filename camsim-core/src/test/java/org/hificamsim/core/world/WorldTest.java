@@ -69,7 +69,7 @@ class WorldTest {
   }
 
   @Test
-  void turnCameraKeepsItsPlace() {
+  void turnCameraKeepsItsPosition() {
     World world = new TestScenario().camera(1, 2).camera(3, 4).world();
     int before = world.cameras().revision();
     world.turnCamera(1, Math.PI / 3);

@@ -48,7 +48,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
   /**
    * A named input.
    *
-   * @param digest of its content
+   * @param digest the digest of its content
    */
   public record Input(String kind, String name, String digest) {
     private boolean isChanged(Input other) {
@@ -200,7 +200,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
           @Override
           public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
             boolean isSkipped =
-                !folder.equals(root) && (isHidden(folder) || OutputFolder.isOne(folder));
+                !folder.equals(root) && (isHidden(folder) || OutputFolder.isOutputFolder(folder));
             return !isSkipped ? FileVisitResult.CONTINUE : FileVisitResult.SKIP_SUBTREE;
           }
 

@@ -321,7 +321,7 @@ class RunFolderTest {
     assertEquals(
         json(whole.resolve("summary.json")).get("performance"),
         json(out.resolve("summary.json")).get("performance"));
-    assertFalse(OutputFolder.isOne(out.resolve("none")));
+    assertFalse(OutputFolder.isOutputFolder(out.resolve("none")));
     assertFalse(Files.exists(out.resolve(".hificamsim")), "its lock is gone");
   }
 

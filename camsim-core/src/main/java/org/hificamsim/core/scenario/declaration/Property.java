@@ -17,9 +17,9 @@ public final class Property<S, T> {
   private boolean omittedAtDefault;
 
   /**
-   * @param number among the properties of the spec, from 0
-   * @param name of the attribute; empty for a property that is not an attribute
-   * @param defaultValue null for none
+   * @param number the number among the properties of the spec, from 0
+   * @param name the name of the attribute; empty for a property that is not an attribute
+   * @param defaultValue the default; null for none
    */
   Property(int number, String name, Type<T> type, T defaultValue) {
     this.number = number;

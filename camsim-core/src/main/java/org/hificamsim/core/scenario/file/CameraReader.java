@@ -22,26 +22,26 @@ public final class CameraReader {
   private final Type<Double> yInField;
   private final Type<OpticsSpec> optics;
   private final OptionalDouble mountHeight;
-  private final Clearing clearing;
+  private final ObstacleCheck obstacleCheck;
   private final AgentCheck agents;
   private final Set<String> names = new HashSet<>();
 
   /**
-   * @param field where cameras may stand
-   * @param mountHeight of the scenario, metres, if it has one
-   * @param optics of the file, by name
+   * @param field the field, in which cameras must stand
+   * @param mountHeight the mount height of the scenario, metres, if it has one
+   * @param optics the optics of the file, by name
    */
   public CameraReader(
       Field field,
       OptionalDouble mountHeight,
-      Clearing clearing,
+      ObstacleCheck obstacleCheck,
       Map<String, OpticsSpec> optics,
       AgentCheck agents) {
     this.xInField = inField(field.minX(), field.maxX());
     this.yInField = inField(field.minY(), field.maxY());
     this.optics = oneOf(optics);
     this.mountHeight = mountHeight;
-    this.clearing = clearing;
+    this.obstacleCheck = obstacleCheck;
     this.agents = agents;
   }
 
@@ -70,7 +70,7 @@ public final class CameraReader {
     }
     checkHeights(camera, attributes);
     OptionalDouble z = camera.z().isPresent() ? camera.z() : mountHeight;
-    clearing.requireFree(xml, camera.x(), camera.y(), z);
+    obstacleCheck.requireFree(xml, camera.x(), camera.y(), z);
     agents.check(camera, element == CameraSpec.ADDED, xml::invalid);
     attributes.warnOfUnknown();
     return camera;

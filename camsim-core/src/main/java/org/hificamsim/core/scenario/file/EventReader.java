@@ -15,7 +15,7 @@ public final class EventReader {
   private final CameraReader cameras;
   private final TargetReader targets;
 
-  /** Creates a reader that reads added cameras and targets by theirs. */
+  /** Creates a reader that reads added cameras and targets by their own readers. */
   public EventReader(CameraReader cameras, TargetReader targets) {
     this.cameras = cameras;
     this.targets = targets;
@@ -26,15 +26,15 @@ public final class EventReader {
     Attributes<ScenarioEvent> head = new Attributes<>(xml, EventHead.ELEMENT);
     int step = head.get(EventHead.STEP);
     String participant = head.get(EventHead.PARTICIPANT);
-    List<EventKind<?, ?>> ofParticipant =
+    List<EventKind<?, ?>> participantKinds =
         ScenarioEvent.kinds().stream()
             .filter(kind -> kind.participant().equals(participant))
             .toList();
     if (head.has(EventHead.HAPPENING)) {
-      head.narrow("event", EventHead.oneOf(ofParticipant, EventKind::happening));
+      head.narrow("event", EventHead.oneOf(participantKinds, EventKind::happening));
     }
     String happening = head.get(EventHead.HAPPENING);
-    return ofParticipant.stream()
+    return participantKinds.stream()
         .filter(kind -> kind.happening().equals(happening))
         .findFirst()
         .map(kind -> event(step, kind, xml))

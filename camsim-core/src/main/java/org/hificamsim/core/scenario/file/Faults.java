@@ -20,6 +20,7 @@ public final class Faults {
     this.report = report;
   }
 
+  /** Creates faults of which the first one is thrown. */
   public static Faults thrown() {
     return new Faults(
         fault -> {
@@ -27,6 +28,7 @@ public final class Faults {
         });
   }
 
+  /** Creates faults that are all reported. */
   public static Faults reported(Consumer<InputException> report) {
     return new Faults(report);
   }
@@ -36,7 +38,7 @@ public final class Faults {
     return none;
   }
 
-  /** A part of the file; what stands in for it where it has a fault. */
+  /** Returns a part of the file, or a substitute if reading the part finds a fault. */
   public <T> T or(T substitute, Supplier<T> part) {
     try {
       return part.get();
@@ -47,7 +49,7 @@ public final class Faults {
     }
   }
 
-  /** Does something that may find a fault. */
+  /** Runs a check and handles the fault that it may find. */
   public void check(Runnable check) {
     or(
         none,

@@ -59,8 +59,9 @@ public final class OpticsReader {
   private static void checkHeights(Attributes<OpticsSpec> attributes) {
     OpticsLaw law = attributes.get(OpticsSpec.LAW);
     if (law != OpticsLaw.PINHOLE) {
-      for (Property<OpticsSpec, ?> one : List.of(VERTICAL_ANGLES, ASPECT, TILTS)) {
-        attributes.refuse(one, "none with law=\"" + Spelling.of(law) + "\", which has no lens");
+      for (Property<OpticsSpec, ?> property : List.of(VERTICAL_ANGLES, ASPECT, TILTS)) {
+        attributes.refuse(
+            property, "none with law=\"" + Spelling.of(law) + "\", which has no lens");
       }
     }
     if (attributes.has(VERTICAL_ANGLES)) {

@@ -19,7 +19,7 @@ public final class TargetReader {
   private static final String WAYPOINTS = "Waypoints";
 
   private final Field field;
-  private final Clearing clearing;
+  private final ObstacleCheck obstacleCheck;
   private final boolean coverageDialect;
   private final Predicate<String> movements;
   private final Set<Double> features = new HashSet<>();
@@ -31,9 +31,12 @@ public final class TargetReader {
    * @param movements whether a movement of a name exists
    */
   public TargetReader(
-      Field field, Clearing clearing, boolean coverageDialect, Predicate<String> movements) {
+      Field field,
+      ObstacleCheck obstacleCheck,
+      boolean coverageDialect,
+      Predicate<String> movements) {
     this.field = field;
-    this.clearing = clearing;
+    this.obstacleCheck = obstacleCheck;
     this.coverageDialect = coverageDialect;
     this.movements = movements;
   }
@@ -117,7 +120,7 @@ public final class TargetReader {
     boolean onPath = target.movement().equals(WAYPOINTS);
     boolean fromFirst = scripted || (onPath && target.get(TargetSpec.MOVE).isEmpty());
     Waypoint start = fromFirst ? target.waypoints().get(0) : new Waypoint(target.x(), target.y());
-    clearing.requireFree(xml, start.x(), start.y());
+    obstacleCheck.requireFree(xml, start.x(), start.y());
     if (!field.contains(start.x(), start.y()) && !scripted && !(onPath && coverageDialect)) {
       xml.warn(
           "x",
@@ -136,13 +139,13 @@ public final class TargetReader {
       throw children.get(0).place().error("one <waypoint>, expected none or at least two");
     }
     List<Waypoint> path = children.stream().map(child -> waypoint(child, anywhere)).toList();
-    clearing.warnOfPath(xml, path);
+    obstacleCheck.warnOfPath(xml, path);
     return path;
   }
 
   private Waypoint waypoint(XmlElement xml, boolean anywhere) {
     Waypoint waypoint = Attributes.read(xml, Waypoint.ELEMENT);
-    clearing.requireFree(xml, waypoint.x(), waypoint.y());
+    obstacleCheck.requireFree(xml, waypoint.x(), waypoint.y());
     if (!field.contains(waypoint.x(), waypoint.y()) && !anywhere) {
       xml.warn("<waypoint> lies outside the field, out of reach");
     }

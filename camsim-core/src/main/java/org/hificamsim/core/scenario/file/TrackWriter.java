@@ -6,7 +6,7 @@ import org.hificamsim.core.scenario.spec.Extent;
 
 /**
  * Writes tracks as {@code docs/tracks.md} describes the file, one target after the other; a target
- * that went and came again is begun again.
+ * that disappears and comes back has another track.
  */
 public final class TrackWriter {
   /** The first line of the file. */
@@ -16,19 +16,20 @@ public final class TrackWriter {
   private static final double FIRST_EXPONENT = 1e7;
 
   private static final double MAX_FAST = 1e9;
-  private static final double MINUS_0 = Double.NEGATIVE_INFINITY; // one divided by it
+  private static final double ONE_OVER_MINUS_0 = Double.NEGATIVE_INFINITY;
 
   private final Appendable out;
   private final double interval;
   private final double slack;
-  private double begun;
-  private int since;
+  private double writtenTime;
+  private int samplesSinceWrittenTime;
 
   /**
    * Begins a file.
    *
-   * @param interval between most samples, seconds, above 0; samples that keep it have no time
-   * @param slack how far a sample may be off it, seconds, and be put there
+   * @param interval the time between most samples, seconds, above 0; samples that keep it are
+   *     written without their time
+   * @param slack the greatest deviation from the interval that is ignored, seconds
    */
   public TrackWriter(Appendable out, double interval, double slack) throws IOException {
     this.out = out;
@@ -52,16 +53,16 @@ public final class TrackWriter {
 
   private void begin(double features) throws IOException {
     out.append("target ").append(plain(features));
-    begun = Double.NaN;
+    writtenTime = Double.NaN;
   }
 
   /** Adds a sample to the target's track: seconds, later than the one before, and metres. */
   public void sample(double time, double x, double y) throws IOException {
-    since++;
-    if (!(Math.abs(begun + since * interval - time) <= slack)) {
+    samplesSinceWrittenTime++;
+    if (!(Math.abs(writtenTime + samplesSinceWrittenTime * interval - time) <= slack)) {
       out.append(plain(time)).append(' ');
-      begun = time;
-      since = 0;
+      writtenTime = time;
+      samplesSinceWrittenTime = 0;
     }
     out.append(plain(x)).append(' ').append(plain(y)).append('\n');
   }
@@ -69,7 +70,7 @@ public final class TrackWriter {
   /** The shortest text of the same number, without an exponent if it is large. */
   static String plain(double value) {
     long thousandths = Math.round(value * 1000);
-    if (Math.abs(value) < MAX_FAST && thousandths / 1e3 == value && 1 / value != MINUS_0) {
+    if (Math.abs(value) < MAX_FAST && thousandths / 1e3 == value && 1 / value != ONE_OVER_MINUS_0) {
       return ofThousandths(thousandths);
     }
     return Math.abs(value) >= FIRST_EXPONENT && Double.isFinite(value)

@@ -38,7 +38,7 @@ public final class TracksReader {
   /**
    * The events of all targets of an element.
    *
-   * @param path of the scenario, from whose folder paths are
+   * @param path the path of the scenario, from whose folder the paths of tracks are resolved
    */
   public static List<ScenarioEvent> events(
       XmlElement element, Path path, double stepTime, Field field) {
@@ -76,10 +76,10 @@ public final class TracksReader {
   }
 
   private static void warn(
-      XmlElement element, List<TargetSpec> targets, Predicate<Track> odd, String what) {
+      XmlElement element, List<TargetSpec> targets, Predicate<Track> odd, String problem) {
     long count = targets.stream().filter(target -> odd.test(target.track().orElseThrow())).count();
     if (count > 0) {
-      element.warn(count + " of the tracks " + what);
+      element.warn(count + " of the tracks " + problem);
     }
   }
 

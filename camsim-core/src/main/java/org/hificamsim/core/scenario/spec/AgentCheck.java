@@ -2,7 +2,9 @@ package org.hificamsim.core.scenario.spec;
 
 import org.hificamsim.core.InputException;
 
-/** Checks what a camera asks of CamSim's network, which a scenario carries and does not read. */
+/**
+ * Checks the attributes that a camera has for CamSim's network; the scenario does not read them.
+ */
 @FunctionalInterface
 public interface AgentCheck {
   /** Accepts everything. */

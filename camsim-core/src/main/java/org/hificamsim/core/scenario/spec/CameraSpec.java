@@ -106,17 +106,17 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
     return get(NAME);
   }
 
-  /** Metres. */
+  /** The x coordinate, metres. */
   public double x() {
     return get(X);
   }
 
-  /** Metres. */
+  /** The y coordinate, metres. */
   public double y() {
     return get(Y);
   }
 
-  /** Degrees, 0 is +y and 90 is +x. */
+  /** The heading, degrees: 0 is +y and 90 is +x. */
   public double heading() {
     return get(HEADING);
   }
@@ -140,7 +140,7 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
     return number(Z);
   }
 
-  /** Degrees below the horizon, [-90, 90]. */
+  /** The tilt of the camera, degrees below the horizon, [-90, 90]. */
   public double tilt() {
     return get(TILT);
   }

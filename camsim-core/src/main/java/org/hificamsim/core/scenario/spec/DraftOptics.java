@@ -33,7 +33,7 @@ public final class DraftOptics {
    * Hangs a camera at the default height, tilted so that the upper edge of its widest picture meets
    * the ground at a distance.
    *
-   * @param far metres, above 0
+   * @param far the distance, metres, above 0
    */
   public static CameraSpec hung(CameraSpec camera, double far) {
     OpticsSpec optics = camera.get(CameraSpec.OPTICS).with(OpticsSpec.TILTS, TILTS);

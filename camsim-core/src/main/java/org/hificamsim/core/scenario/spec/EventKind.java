@@ -11,12 +11,12 @@ import org.hificamsim.core.scenario.declaration.Spec;
 /**
  * One kind of event, as scenario files have it.
  *
- * @param participant to whom it happens
- * @param happening what happens, in the file's word
- * @param type its class
- * @param body the attributes that say the rest, and in words what happens
- * @param make the event of a step and a body
- * @param of the body of an event
+ * @param participant the participant to whom it happens, in the file's word
+ * @param happening the kind of event, in the file's word
+ * @param type the class of the event
+ * @param body the further attributes of the event, with a description of what happens
+ * @param make creates the event of a step and a body
+ * @param of returns the body of an event
  */
 public record EventKind<E extends ScenarioEvent, B>(
     String participant,
@@ -40,7 +40,7 @@ public record EventKind<E extends ScenarioEvent, B>(
         happening,
         type,
         body,
-        (at, said) -> body.make(said.put(step, at)),
+        (number, spec) -> body.make(spec.put(step, number)),
         body::specOf);
   }
 

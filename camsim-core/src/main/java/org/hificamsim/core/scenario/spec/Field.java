@@ -7,12 +7,12 @@ public record Field(double minX, double maxX, double minY, double maxY) {
     return !(x > maxX || x < minX || y > maxY || y < minY);
   }
 
-  /** Metres. */
+  /** The width, metres. */
   public double width() {
     return maxX - minX;
   }
 
-  /** Metres. */
+  /** The height, metres. */
   public double height() {
     return maxY - minY;
   }

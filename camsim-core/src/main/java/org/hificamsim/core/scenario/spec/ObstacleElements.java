@@ -56,14 +56,14 @@ public final class ObstacleElements {
           .requires(Type.COORDINATE, "x", "y")
           .requires(Type.POSITIVE_LENGTH, "radius");
 
-  /** All of them. */
+  /** The elements of all kinds of obstacles. */
   public static final List<Element<? extends Obstacle>> ALL = List.of(WALL, POLYGON, PILLAR);
 
   static {
-    for (Element<?> one : ALL) {
-      one.optional("transmittance", Type.PROPORTION, 0.0);
-      one.optional("base", Type.LENGTH, 0.0);
-      one.optional("height", Type.POSITIVE_LENGTH, Double.POSITIVE_INFINITY);
+    for (Element<?> element : ALL) {
+      element.optional("transmittance", Type.PROPORTION, 0.0);
+      element.optional("base", Type.LENGTH, 0.0);
+      element.optional("height", Type.POSITIVE_LENGTH, Double.POSITIVE_INFINITY);
     }
   }
 

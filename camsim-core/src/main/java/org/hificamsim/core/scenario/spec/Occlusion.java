@@ -2,8 +2,8 @@ package org.hificamsim.core.scenario.spec;
 
 /** Whether targets hide each other, in addition to obstacles. */
 public enum Occlusion {
-  /** Nothing. */
+  /** Targets do not hide each other. */
   NONE,
-  /** Other targets: a disc as wide as the target, between it and the camera. */
+  /** A target hides those behind it, as a disc of its width. */
   TARGETS
 }

@@ -58,8 +58,8 @@ public enum OpticsLaw {
   /**
    * Returns the reach of each level, metres.
    *
-   * @param angles of view, degrees, from the narrowest
-   * @param reach of the optics, metres
+   * @param angles the angles of view, degrees, from the narrowest
+   * @param reach the reach of the optics, metres
    */
   public abstract List<Double> radii(List<Double> angles, double reach);
 }

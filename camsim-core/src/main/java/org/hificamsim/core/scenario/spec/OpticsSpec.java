@@ -153,12 +153,12 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
         || !tilts().equals(List.of(0.0));
   }
 
-  /** Degrees a second, above 0; empty if the camera turns at once. */
+  /** The speed of turning, degrees a second, above 0; empty if the camera turns at once. */
   public OptionalDouble panSpeed() {
     return number(PAN_SPEED);
   }
 
-  /** Seconds from the first level to the last, 0 or more. */
+  /** The time from the first zoom level to the last, seconds, 0 or more. */
   public double zoomTime() {
     return get(ZOOM_TIME);
   }

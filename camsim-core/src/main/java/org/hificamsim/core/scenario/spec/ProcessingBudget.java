@@ -6,10 +6,10 @@ import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 
 /**
- * How many detections a camera can process in a step; the others are known a step late. The
- * attribute {@code processing} ({@code docs/following.md}).
+ * The number of detections that a camera can process in a step; the others are known a step late.
+ * The attribute {@code processing} ({@code docs/following.md}).
  *
- * @param detections 1 or more
+ * @param detections the number of detections, 1 or more
  */
 public record ProcessingBudget(int detections) {
   /** Cameras process all that they detect. */

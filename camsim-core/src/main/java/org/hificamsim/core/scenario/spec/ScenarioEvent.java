@@ -9,7 +9,7 @@ import org.hificamsim.core.scenario.declaration.Type;
  * #kinds}; {@link org.hificamsim.core.world.World} has what it does.
  */
 public sealed interface ScenarioEvent {
-  /** All kinds. */
+  /** Returns all kinds of events. */
   static List<EventKind<?, ?>> kinds() {
     return List.of(
         AddCamera.KIND,
@@ -36,15 +36,15 @@ public sealed interface ScenarioEvent {
             "add",
             AddCamera.class,
             CameraSpec.ADDED,
-            (step, said) -> new AddCamera(step, CameraSpec.ADDED.make(said)),
+            (step, spec) -> new AddCamera(step, CameraSpec.ADDED.make(spec)),
             AddCamera::camera);
   }
 
   /**
    * A camera is moved, turned or given another range; -1 leaves a value as it is, as in CamSim.
    *
-   * @param heading degrees
-   * @param viewingAngle degrees
+   * @param heading the heading, degrees
+   * @param viewingAngle the viewing angle, degrees
    */
   record ChangeCamera(
       int step,
@@ -83,7 +83,8 @@ public sealed interface ScenarioEvent {
   /**
    * A camera goes offline.
    *
-   * @param duration steps; any value but 0 means for ever, as in CamSim; 0 does nothing
+   * @param duration the duration, steps; any value but 0 means for ever, as in CamSim; 0 does
+   *     nothing
    */
   record FailCamera(int step, String camera, int duration) implements ScenarioEvent {
     static final EventKind<FailCamera, FailCamera> KIND =
@@ -112,7 +113,7 @@ public sealed interface ScenarioEvent {
             "add",
             AddTarget.class,
             TargetSpec.ADDED,
-            (step, said) -> new AddTarget(step, TargetSpec.ADDED.make(said)),
+            (step, spec) -> new AddTarget(step, TargetSpec.ADDED.make(spec)),
             AddTarget::target);
   }
 

@@ -121,11 +121,11 @@ mean, std: mean and standard deviation of a Brownian step, in x and y, m
     ADDED.ignored("move", MOVEMENT);
   }
 
-  private TargetSpec(Spec<TargetSpec> said) {
-    super(said);
+  private TargetSpec(Spec<TargetSpec> spec) {
+    super(spec);
   }
 
-  /** A target at a place, metres, that stands still and looks north. */
+  /** Creates a target at a position, metres, that stands still and looks north. */
   public TargetSpec(double features, double x, double y) {
     super(
         ELEMENT
@@ -150,12 +150,12 @@ mean, std: mean and standard deviation of a Brownian step, in x and y, m
     return get(ORIGIN);
   }
 
-  /** Start, metres; may lie outside the field. */
+  /** A coordinate of the start, metres; may lie outside the field. */
   public double x() {
     return get(X);
   }
 
-  /** Start, metres; may lie outside the field. */
+  /** A coordinate of the start, metres; may lie outside the field. */
   public double y() {
     return get(Y);
   }
@@ -164,7 +164,7 @@ mean, std: mean and standard deviation of a Brownian step, in x and y, m
     return get(HEADING);
   }
 
-  /** Metres a step. */
+  /** The speed, metres a step. */
   public double speed() {
     return get(SPEED);
   }
@@ -179,12 +179,12 @@ mean, std: mean and standard deviation of a Brownian step, in x and y, m
     return find(WIDTH).map(width -> new Extent(width, get(HEIGHT)));
   }
 
-  /** How wide it is, seen from above, metres. */
+  /** The width of the target, seen from above, metres. */
   public double width() {
     return find(WIDTH).orElseGet(this::size);
   }
 
-  /** How high it is, metres. */
+  /** The height of the target, metres. */
   public double height() {
     return find(HEIGHT).orElseGet(this::size);
   }

@@ -16,8 +16,8 @@ import org.hificamsim.core.scenario.declaration.Type;
 /**
  * A part of the field where something is demanded of the cameras.
  *
- * @param points metres; two opposite corners of a rectangle, the corners of a polygon, or the
- *     points along a line; empty for the whole field
+ * @param points the points, metres: two opposite corners of a rectangle, the corners of a polygon,
+ *     or the points along a line; empty for the whole field
  * @param detection the detection that must see there; null for the scenario's
  * @param k the number of cameras that must see there; null for that of the scenario's objective
  * @param weight the worth of seeing the zone; 0 for a zone that demands nothing
@@ -53,7 +53,7 @@ public record Zone(
     }
   }
 
-  /** Up to about here, recognition of faces works as from the front, degrees. */
+  /** The angle up to which recognition of faces works about as well as from the front, degrees. */
   private static final double USUAL_TOLERANCE = 30;
 
   /** Half the width of the strip along a polyline, metres. */
@@ -150,8 +150,8 @@ in a world with heights | any
   /** Fills in the detection and the number of cameras that the zone does not give. */
   public Zone withDefaults(String defaultDetection, Objective objective) {
     int cameras = objective instanceof Objective.Covered covered ? covered.k() : 1;
-    String required = detection == null ? defaultDetection : detection;
-    return with(required, k == null ? cameras : k);
+    String requiredDetection = detection == null ? defaultDetection : detection;
+    return with(requiredDetection, k == null ? cameras : k);
   }
 
   /** Returns the zone with another number of cameras that have to see it. */
@@ -159,9 +159,17 @@ in a world with heights | any
     return with(detection, cameras);
   }
 
-  private Zone with(String required, int cameras) {
+  private Zone with(String requiredDetection, int cameras) {
     return new Zone(
-        name, shape, points, required, cameras, weight, facing, facingTolerance, maxDepression);
+        name,
+        shape,
+        points,
+        requiredDetection,
+        cameras,
+        weight,
+        facing,
+        facingTolerance,
+        maxDepression);
   }
 
   /** The part of a target that cameras must see; empty where the zone leaves it to others. */
@@ -178,8 +186,8 @@ in a world with heights | any
    * Whether a camera sees a face as the zone asks: from where it looks, and not too steeply from
    * above.
    *
-   * @param east metres from the face to the camera
-   * @param north metres from the face to the camera
+   * @param east metres to the east from the face to the camera
+   * @param north metres to the north from the face to the camera
    * @param above metres from the top of the head up to the camera; NaN in a flat world
    */
   public boolean showsFace(double east, double north, double above) {

@@ -84,9 +84,9 @@ public final class StepPlaces {
     TrackWalk walk = new TrackWalk();
     walk.begin(track, first);
     for (long step = first; step <= last; step++) {
-      int at = at(step);
-      coordinates[at] = walk.x();
-      coordinates[at + 1] = walk.y();
+      int index = indexOf(step);
+      coordinates[index] = walk.x();
+      coordinates[index + 1] = walk.y();
       walk.next();
     }
     track.store(this);
@@ -102,7 +102,7 @@ public final class StepPlaces {
   }
 
   /** The index of the position at a step. */
-  int at(long step) {
+  int indexOf(long step) {
     int block = block(step);
     long begin = block == 0 ? first : step & -STEPS_PER_BLOCK;
     return blockStarts[block] + 2 * (int) (step - begin);

@@ -5,7 +5,7 @@ import java.util.function.UnaryOperator;
 import org.hificamsim.core.obstacle.Point;
 
 /**
- * The recorded way of a target from its first to its last sample, on the clock of a scenario's
+ * The recorded path of a target from its first to its last sample, on the clock of a scenario's
  * steps. Between two samples the target moves straight.
  */
 public final class Track {
@@ -23,7 +23,7 @@ public final class Track {
    * Creates a track.
    *
    * @param samples for each sample the time in seconds from step 0, rising, and x and y in metres
-   * @param stepTime seconds, above 0
+   * @param stepTime the step time, seconds, above 0
    */
   public Track(double[] samples, double stepTime) {
     this.samples = samples;
@@ -40,12 +40,12 @@ public final class Track {
     return samples[FIELDS * sample];
   }
 
-  /** Metres. */
+  /** The x coordinate, metres. */
   public double x(int sample) {
     return samples[FIELDS * sample + 1];
   }
 
-  /** Metres. */
+  /** The y coordinate, metres. */
   public double y(int sample) {
     return samples[FIELDS * sample + 2];
   }
@@ -78,7 +78,7 @@ public final class Track {
   /**
    * Returns the rest of the track from a time on, with times from that time and moved positions.
    *
-   * @param start seconds, not after the last sample
+   * @param start the time from which the track is kept, seconds, not after the last sample
    * @param moved maps each position to the new one
    */
   public Track from(double start, UnaryOperator<Point> moved) {
@@ -94,21 +94,21 @@ public final class Track {
       }
     }
     for (int i = 0; i < rest.length; i += FIELDS) {
-      Point place = moved.apply(new Point(rest[i + 1], rest[i + 2]));
+      Point position = moved.apply(new Point(rest[i + 1], rest[i + 2]));
       rest[i] = Math.max(0, rest[i] - start);
-      rest[i + 1] = place.x();
-      rest[i + 2] = place.y();
+      rest[i + 1] = position.x();
+      rest[i + 2] = position.y();
     }
     return new Track(rest, stepTime);
   }
 
   /** The mean speed along the way, metres a step. */
   public double meanSpeed() {
-    double way = 0;
+    double length = 0;
     for (int i = 1; i < samples(); i++) {
-      way += Math.hypot(x(i) - x(i - 1), y(i) - y(i - 1));
+      length += Math.hypot(x(i) - x(i - 1), y(i) - y(i - 1));
     }
-    return way == 0 ? 0 : way / (time(samples() - 1) - time(0)) * stepTime;
+    return length == 0 ? 0 : length / (time(samples() - 1) - time(0)) * stepTime;
   }
 
   /** The heading from the first to the second sample, degrees, 0 is +y and 90 is +x. */

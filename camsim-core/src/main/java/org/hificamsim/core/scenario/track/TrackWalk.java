@@ -42,12 +42,12 @@ public final class TrackWalk {
     }
   }
 
-  /** Metres. */
+  /** The x coordinate, metres. */
   public double x() {
     return coordinates[index];
   }
 
-  /** Metres. */
+  /** The y coordinate, metres. */
   public double y() {
     return coordinates[index + 1];
   }
@@ -60,7 +60,7 @@ public final class TrackWalk {
     }
     int following = places.following(lastStep);
     coordinates = places.coordinates();
-    index = places.at(lastStep);
+    index = places.indexOf(lastStep);
     lastIndex = index + 2 * following;
     lastStep += following;
   }

@@ -9,7 +9,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Places at each step of a track, computed on the way or beforehand. */
+/** Positions at each step of a track, computed on the way or beforehand. */
 class TrackWalkTest {
   private static final double STEP = 0.5; // s
 
@@ -21,15 +21,15 @@ class TrackWalkTest {
       {10, -10}, {10, -10}, {10, -10}, {12, -7}, {14, -4}, {12, -4}, {10, -4}, {8, -4}, {6, -4},
       {6, -4}, {6, -4}
     };
-    for (double[] place : expected) {
-      assertEquals(place[0], walk.x());
-      assertEquals(place[1], walk.y());
+    for (double[] position : expected) {
+      assertEquals(position[0], walk.x());
+      assertEquals(position[1], walk.y());
       walk.next();
     }
   }
 
   @Test
-  void precomputedPlacesEqualComputedOnes() {
+  void precomputedPositionsEqualComputedOnes() {
     SplittableRandom random = new SplittableRandom(1);
     for (int trial = 0; trial < 300; trial++) {
       List<double[]> samples =
@@ -44,7 +44,7 @@ class TrackWalkTest {
   }
 
   @Test
-  void doesNotPrecomputeTooManyPlaces() {
+  void doesNotPrecomputeTooManyPositions() {
     double end = (StepPlaces.MAX_PLACES - 1) * STEP;
     Track most = new Track(new double[] {0, 0, 0, end, 8, 4}, STEP);
     Track tooLong = new Track(new double[] {0, 0, 0, end + STEP, 8, 4}, STEP);

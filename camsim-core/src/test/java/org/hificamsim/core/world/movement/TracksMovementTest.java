@@ -107,7 +107,7 @@ class TracksMovementTest {
         error.getMessage());
   }
 
-  /** Places are precomputed or, if there are too many, computed on the way. */
+  /** Positions are precomputed or, if there are too many, computed on the way. */
   @ParameterizedTest
   @ValueSource(strings = {"", "target 999 size 1\n0 0 0\n9000000 1 1\n"})
   void interpolatesSamplesExactly(String tooLongForMemory) throws IOException {
@@ -149,15 +149,15 @@ class TracksMovementTest {
     for (int i = 0; i < targets.count(); i++) {
       int target = (int) Double.parseDouble(targets.name(i));
       if (targets.present(i) && target < tracks.size()) {
-        assertEquals(place(tracks.get(target), step * 0.7, 1), targets.x(i));
-        assertEquals(place(tracks.get(target), step * 0.7, 2), targets.y(i));
+        assertEquals(position(tracks.get(target), step * 0.7, 1), targets.x(i));
+        assertEquals(position(tracks.get(target), step * 0.7, 2), targets.y(i));
         compared++;
       }
     }
     return compared;
   }
 
-  private static double place(double[] samples, double time, int axis) {
+  private static double position(double[] samples, double time, int axis) {
     int leg = 0;
     while (leg + 3 < samples.length && samples[leg + 3] <= time) {
       leg += 3;

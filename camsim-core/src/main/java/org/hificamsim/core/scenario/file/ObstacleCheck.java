@@ -9,10 +9,10 @@ import org.hificamsim.core.scenario.spec.Waypoint;
 import org.hificamsim.core.scenario.xml.XmlElement;
 
 /** Checks that cameras and targets stand outside all solid obstacles. */
-public final class Clearing {
+public final class ObstacleCheck {
   private final Obstacles obstacles;
 
-  public Clearing(List<Obstacle> obstacles) {
+  public ObstacleCheck(List<Obstacle> obstacles) {
     this.obstacles = new Obstacles(obstacles);
   }
 

@@ -18,12 +18,12 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Waypoint;
 import org.hificamsim.core.scenario.xml.XmlElement;
 
-/** Checks that events fit together in time: what is added, changed and removed. */
-public final class EventStory {
+/** Checks that the events of a scenario fit together in the order of time. */
+public final class EventSequence {
   private static final int FOR_EVER = -1;
 
   private final List<EventElement> events;
-  private final Clearing clearing;
+  private final ObstacleCheck obstacleCheck;
 
   /** The names of all cameras that are ever added. */
   private final Set<String> names = new HashSet<>();
@@ -44,17 +44,17 @@ public final class EventStory {
   }
 
   /**
-   * @param cameras of the start
-   * @param targets of the start
+   * @param cameras the cameras of the start
+   * @param targets the targets of the start
    */
-  public EventStory(
+  public EventSequence(
       List<EventElement> events,
       List<CameraSpec> cameras,
       List<TargetSpec> targets,
-      Clearing clearing) {
+      ObstacleCheck obstacleCheck) {
     this.events =
         events.stream().sorted(Comparator.comparingInt(element -> element.event.step())).toList();
-    this.clearing = clearing;
+    this.obstacleCheck = obstacleCheck;
     cameras.forEach(this::add);
     targets.forEach(target -> features.add(target.features()));
     for (EventElement element : events) {
@@ -127,7 +127,7 @@ public final class EventStory {
   private Waypoint moved(XmlElement xml, ChangeCamera change, Waypoint from) {
     double x = change.x() == -1 ? from.x() : change.x();
     double y = change.y() == -1 ? from.y() : change.y();
-    clearing.requireFree(xml, x, y);
+    obstacleCheck.requireFree(xml, x, y);
     return new Waypoint(x, y);
   }
 
