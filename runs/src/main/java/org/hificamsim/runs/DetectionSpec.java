@@ -21,8 +21,8 @@ import org.hificamsim.core.scenario.ScenarioReader;
  * rule, as {@code NAME@T} or {@code NAME@chance:alpha=0.01}.
  *
  * @param text the name
- * @param threshold in the name, in [0, 1]
- * @param rule in the name
+ * @param threshold the threshold in the name, in [0, 1]
+ * @param rule the rule in the name
  */
 public record DetectionSpec(
     String text, DetectionModel model, Optional<Double> threshold, Optional<DetectionRule> rule) {
@@ -66,7 +66,7 @@ public record DetectionSpec(
   /**
    * The detection for a scenario: the one that is asked for, else the scenario's, else the default.
    *
-   * @param file of the scenario, for errors
+   * @param file the file of the scenario, for errors
    * @throws InputException when there is no such model, or its threshold or rule is wrong
    */
   public static Detection of(Settings asked, Scenario scenario, Path file, Catalogue catalogue) {

@@ -16,7 +16,7 @@ import org.hificamsim.core.Texts;
  * The standard error and skewness of a mean come from its values, those of other figures from the
  * draws of a bootstrap.
  *
- * @param mean of runs, or another figure; NaN if there is none
+ * @param mean the mean of runs, or another figure; NaN if there is none
  * @param low the lower end of the interval; NaN if there is none
  * @param high the upper end; NaN if there is none
  */
@@ -116,8 +116,8 @@ public record Estimate(double mean, double low, double high) {
    * A value with the interval that follows from its standard error.
    *
    * @param error the standard error of the value
-   * @param skewness of the distribution of the value, -1 to 1 as for any mean; 0 for Student's
-   *     interval
+   * @param skewness the skewness of the distribution of the value, -1 to 1 as for any mean; 0 for
+   *     Student's interval
    * @param freedom the degrees of freedom, 1 or more
    */
   public static Estimate around(double value, double error, double skewness, int freedom) {
@@ -165,7 +165,7 @@ public record Estimate(double mean, double low, double high) {
    * The value with its interval in brackets if it has one, or with "in every seed" if all seeds
    * gave it; a dash if there is no value.
    *
-   * @param format of each number
+   * @param format the format of each number
    */
   public String text(String format) {
     String pattern = format;

@@ -15,15 +15,16 @@ import org.hificamsim.core.policy.ZoomPolicy;
 /**
  * The sums over the steps of a repeat, from which {@link Metric metrics} are computed.
  *
- * @param traffic between the cameras
+ * @param traffic the traffic between the cameras
  * @param network the sums of the cameras' cooperation
  * @param energy that the cameras took
- * @param proof of the policy; empty if it does not claim to be the best
+ * @param proof the proof of the policy; empty if it does not claim to be the best
  * @param expectedGap the most that the least expected coverage could gain, summed over the steps;
  *     NaN if it is not known
  * @param zones the shares of the zones that are seen as they demand
  * @param following how the cameras followed targets
- * @param identitySwitches of the policy; NaN if it makes none or they are not measured
+ * @param identitySwitches the identity switches of the policy; NaN if it makes none or they are not
+ *     measured
  * @param reachableGap how far the score is at most from what cameras could reach in time; NaN if
  *     the policy does not bound that
  */

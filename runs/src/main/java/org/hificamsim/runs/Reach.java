@@ -13,7 +13,7 @@ import org.hificamsim.core.world.World;
 /**
  * The distance to which a camera detects a target on its optical axis at one zoom level.
  *
- * @param radius of the field of view, metres
+ * @param radius the radius of the field of view, metres
  * @param detected the largest distance at which the target is detected, metres; 0 if there is none
  */
 public record Reach(double radius, double detected) {

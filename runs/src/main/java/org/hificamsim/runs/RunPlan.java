@@ -31,7 +31,7 @@ public record RunPlan(
    *
    * @param policy name and options; each repeat makes its own instance
    * @param steps 0 ({@code camsim} alone) to {@link Scenario#MAX_STEPS}
-   * @param seed of the first repeat; repeat i uses seed + i
+   * @param seed the seed of the first repeat; repeat i uses seed + i
    * @param repeats 1 or more
    */
   public RunPlan(

@@ -11,7 +11,7 @@ import org.hificamsim.core.Texts;
 /**
  * The result of one repeat.
  *
- * @param values of the metrics that the run has on its own
+ * @param values the values of the metrics that the run has on its own
  * @param gap the most that the score could gain in the steps whose configuration is not proven to
  *     be the best
  * @param zoneShares by name of a zone, the share of it that is seen as it demands, the mean over

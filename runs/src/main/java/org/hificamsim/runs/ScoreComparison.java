@@ -4,12 +4,12 @@ package org.hificamsim.runs;
  * The score of a run next to those of the yardsticks of its comparison: of the same scenario,
  * detection model and seed.
  *
- * @param score of the run: its performance, unless the objective is another
+ * @param score the score of the run: its performance, unless the objective is another
  * @param optimum the score of the exact optimum of each step; NaN if it was not run
  * @param bound which no score exceeds; NaN if it was not asked for
  * @param bestFixed the score of the best configuration that never changes; NaN if it was not run
  * @param reachableBound which no policy exceeds that takes its time; NaN if it was not asked for
- * @param settling steps until the run is within 90% of its final level; NaN if that is 0
+ * @param settling the steps until the run is within 90% of its final level; NaN if that is 0
  */
 record ScoreComparison(
     double score,

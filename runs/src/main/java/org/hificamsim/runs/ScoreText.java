@@ -9,7 +9,7 @@ public final class ScoreText {
   /**
    * The mean over runs of a plan.
    *
-   * @param scores of the runs, each summed over its steps
+   * @param scores the scores of the runs, each summed over its steps
    */
   public static String of(RunPlan plan, double[] scores) {
     return of(plan, Metric.SCORE.mean(plan, scores).times(1.0 / plan.steps()));

@@ -8,7 +8,7 @@ package org.hificamsim.runs;
  * @param bestFixed the score of the best configuration that never changes; NaN if it was not run
  * @param reachable what cameras could have scored in time; {@link Interval#UNKNOWN} if it was not
  *     asked for
- * @param settling steps until the run is within 90% of its final level; NaN if that is 0
+ * @param settling the steps until the run is within 90% of its final level; NaN if that is 0
  */
 public record ScoredRun(
     RunResult result,

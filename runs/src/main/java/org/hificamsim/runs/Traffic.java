@@ -8,7 +8,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * The messages between the cameras of a run.
  *
  * @param messages the number of messages; one to all other cameras counts once
- * @param bits of these messages
+ * @param bits the bits of these messages
  * @param dropped the number of messages that found their sender's queue full; NaN over a perfect
  *     channel
  */

@@ -102,7 +102,7 @@ public final class Benchmark {
   /**
    * Rejects a task whose declaration, scale or site is not that of its hash.
    *
-   * @param name of the task
+   * @param name the name of the task
    */
   void requireUnchanged(String name) {
     String found = task(name).digest(site(name));

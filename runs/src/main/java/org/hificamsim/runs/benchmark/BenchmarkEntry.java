@@ -30,7 +30,7 @@ import org.hificamsim.runs.output.PolicyFiles;
  * The results of a policy in the benchmark: a folder of {@value #FILE} and a file of {@linkplain
  * RecordedActions actions} for each task.
  *
- * @param version of the simulator
+ * @param version the version of the simulator
  * @param name on the leaderboard
  * @param policy with its options
  * @param files the SHA-256 of each file that the policy reads, by file name
@@ -56,8 +56,8 @@ public record BenchmarkEntry(
    *
    * @param task the hash of the task
    * @param actions the SHA-256 of the file of actions
-   * @param seeds of the episodes
-   * @param scores of the episodes, each the mean of its steps
+   * @param seeds the seeds of the episodes
+   * @param scores the scores of the episodes, each the mean of its steps
    */
   public record TaskScores(String task, String actions, List<Long> seeds, List<Double> scores) {
     /** Rejects missing values. */
@@ -232,7 +232,7 @@ public record BenchmarkEntry(
   /**
    * Reads an entry.
    *
-   * @param path of its {@value #FILE}
+   * @param path the path of its {@value #FILE}
    * @throws InputException when the file is not an entry
    */
   static BenchmarkEntry read(Path path) {

@@ -22,9 +22,9 @@ import org.hificamsim.runs.generate.SiteLayout;
  * with the next version in its name.
  *
  * @param scenario a file next to that of the tasks
- * @param steps of an episode
+ * @param steps the number of steps of an episode
  * @param unmapped the obstacles that the cameras' map lacks, by their index in the scenario
- * @param hash of the whole task: see {@link #digest}
+ * @param hash the hash of the whole task: see {@link #digest}
  * @param zoomOut the mean score of a step of {@code zoom-out} in each testing episode: the scale's
  *     0
  * @param best that of the optimum, or of a bound on it where it is not proven: the scale's 1

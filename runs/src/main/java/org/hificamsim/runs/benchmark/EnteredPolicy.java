@@ -23,7 +23,7 @@ final class EnteredPolicy {
   private final BenchmarkEntry entry;
 
   /**
-   * @param folder of the entry
+   * @param folder the folder of the entry
    * @throws InputException if the entry has no policy that can be played, or a file was changed
    */
   EnteredPolicy(Benchmark benchmark, Path folder, BenchmarkEntry entry) {

@@ -31,10 +31,10 @@ public final class EntryCheck {
   /**
    * An episode of an entry that is to be played again.
    *
-   * @param scores of all episodes of the task
-   * @param number of the episode, from 0
+   * @param scores the scores of all episodes of the task
+   * @param number the number of the episode, from 0
    * @param views that each camera had chosen, by step
-   * @param file of the actions
+   * @param file the file of the actions
    */
   private record RecordedEpisode(
       String task, TaskScores scores, int number, int[][] views, Path file) {}
@@ -42,7 +42,7 @@ public final class EntryCheck {
   /**
    * Checks an entry.
    *
-   * @param path of its folder or file
+   * @param path the path of its folder or file
    * @return the entry
    * @throws InputException when something differs, with the reason
    */

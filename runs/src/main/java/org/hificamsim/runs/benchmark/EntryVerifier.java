@@ -30,8 +30,8 @@ public final class EntryVerifier {
 
   /**
    * @param secret from which fresh seeds are drawn
-   * @param episodes of each task that are fresh, 2 or more
-   * @param limits of what a policy may take
+   * @param episodes the number of fresh episodes of each task, 2 or more
+   * @param limits the limits of what a policy may take
    * @param threads that share the tasks, 1 or more
    */
   public EntryVerifier(
@@ -51,7 +51,7 @@ public final class EntryVerifier {
   /**
    * Verifies an entry whose actions were checked.
    *
-   * @param path of its folder or file
+   * @param path the path of its folder or file
    */
   public Verification verify(BenchmarkEntry entry, Path path, RunProgress progress) {
     Path file = BenchmarkEntry.file(path);

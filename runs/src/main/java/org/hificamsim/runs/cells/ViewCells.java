@@ -22,7 +22,7 @@ public final class ViewCells {
    * The cells in whose centre a camera would detect a target in one view.
    *
    * @param cells their numbers, in ascending order
-   * @param chances of a detection in each of these cells, above 0
+   * @param chances the chances of a detection in each of these cells, above 0
    */
   public record Seen(int[] cells, double[] chances) {
     private static final Seen NOTHING = new Seen(new int[0], new double[0]);
@@ -37,8 +37,8 @@ public final class ViewCells {
     /**
      * Whether it counts.
      *
-     * @param east metres from the target to the camera
-     * @param north metres from the target to the camera
+     * @param east metres to the east, from the target to the camera
+     * @param north metres to the north, from the target to the camera
      * @param z the camera's height, metres; NaN in a flat world
      */
     boolean holds(double east, double north, double z);

@@ -31,7 +31,7 @@ public final class ComparisonFiles {
   /**
    * One run of a plan.
    *
-   * @param result of the plan; null for a run without a comparison
+   * @param result the result of the plan; null for a run without a comparison
    */
   public record Run(RunPlan plan, CaseResult result, ScoredRun scored) {
     /** A run without any yardstick. */

@@ -11,7 +11,7 @@ import org.hificamsim.runs.RunResult;
 /**
  * A finished run with the k_min and the score of each step.
  *
- * @param scores of the steps; empty if the score is k_min
+ * @param scores the scores of the steps; empty if the score is k_min
  */
 public record FinishedRun(RunResult result, int[] kMin, double[] scores) implements Serializable {
   private static final int MAX_PARTS = 50;

@@ -76,7 +76,7 @@ public final class Journal implements Closeable {
    * Opens a journal for adding runs.
    *
    * @param folder which stays open for as long as the journal
-   * @param name of the file
+   * @param name the name of the file
    * @param resume whether runs in it are kept; otherwise they are dropped
    * @throws InputException when the file is a link
    */

@@ -18,8 +18,8 @@ public final class MergedShards implements RunEngine {
   /**
    * Checks that the folders have all runs.
    *
-   * @param folders of shards
-   * @param plans of the whole comparison, made by {@link ReferencePolicies#with}
+   * @param folders the folders of shards
+   * @param plans the plans of the whole comparison, made by {@link ReferencePolicies#with}
    * @throws InputException when a run is missing, damaged, or of another input of the same name
    */
   public MergedShards(List<Path> folders, List<RunPlan> plans) throws IOException {

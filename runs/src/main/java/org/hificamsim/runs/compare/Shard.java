@@ -12,7 +12,7 @@ import org.hificamsim.runs.RunPlan;
 /**
  * One of the equal parts of a comparison.
  *
- * @param number of the part, 1 to {@code count}
+ * @param number the number of the part, 1 to {@code count}
  * @param count the number of parts
  */
 public record Shard(int number, int count) {
@@ -40,7 +40,7 @@ public record Shard(int number, int count) {
    * case and in total. The first seed moves on by one from case to case, so that a part gets other
    * seeds of each.
    *
-   * @param plans of the whole comparison
+   * @param plans the plans of the whole comparison
    */
   public List<RunTask> tasks(List<RunPlan> plans) {
     List<RunTask> tasks = new ArrayList<>();

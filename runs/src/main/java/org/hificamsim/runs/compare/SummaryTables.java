@@ -26,7 +26,7 @@ public final class SummaryTables {
   /**
    * A column of a table.
    *
-   * @param format of a number; null for a score, which is formatted by its objective
+   * @param format the format of a number; null for a score, which is formatted by its objective
    */
   private record Figure(String title, String format, Metric metric) {}
 

@@ -18,7 +18,7 @@ import org.hificamsim.core.scenario.spec.Zone;
 /**
  * Draws cameras and people at positions outside all walls.
  *
- * @param zones in which the positions are; empty for the whole field
+ * @param zones the zones in which the positions are; empty for the whole field
  */
 public record FreePositions(
     Field field, Obstacles obstacles, List<Zone> zones, SplittableRandom random) {

@@ -16,7 +16,7 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
  * @param cameras 1 or more
  * @param targets 1 or more; they go straight at 1 m a step and are 0.66 m in size
  * @param area square metres for each camera, above 0
- * @param seed of the positions and headings
+ * @param seed the seed of the positions and headings
  */
 public record RandomField(int cameras, int targets, double area, long seed) {
   /** Square metres for each camera in the cluster scenarios. */

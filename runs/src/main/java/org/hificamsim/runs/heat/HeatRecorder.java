@@ -47,7 +47,7 @@ public final class HeatRecorder implements StepListener {
   private long addedSteps;
 
   /**
-   * @param world of the first run, for what is the same in all runs
+   * @param world the world of the first run, for what is the same in all runs
    * @param along the number of cells along the field's longer side
    */
   public HeatRecorder(World world, Detection detection, int along) {

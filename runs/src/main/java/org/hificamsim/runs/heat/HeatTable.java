@@ -85,7 +85,7 @@ public final class HeatTable {
   /**
    * Reads the table of a folder.
    *
-   * @param field of the cells
+   * @param field the field of the cells
    * @throws InputException when the table is broken, or of another field
    */
   public static HeatMap read(Path folder, Field field) throws IOException {

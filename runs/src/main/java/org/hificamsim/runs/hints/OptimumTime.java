@@ -47,8 +47,8 @@ public final class OptimumTime {
    * An estimate; each time is an upper one.
    *
    * @param slowest the scenario whose optimum takes longest
-   * @param secondsPerStep of that scenario
-   * @param total of all optima
+   * @param secondsPerStep the seconds per step of that scenario
+   * @param total the total of all optima
    */
   public record Forecast(String slowest, double secondsPerStep, Duration total) {}
 

@@ -7,9 +7,9 @@ import org.hificamsim.core.file.Rows;
  * A column of a table. It is declared once; writers, readers and {@code docs/data.md} follow.
  *
  * @param <R> the type that a row is made of
- * @param name in the table
- * @param kind of the cells
- * @param unit of the numbers; empty if they have none
+ * @param name the name in the table
+ * @param kind the kind of the cells
+ * @param unit the unit of the numbers; empty if they have none
  * @param meaning for the documentation
  * @param cell writes the cell of a row
  */

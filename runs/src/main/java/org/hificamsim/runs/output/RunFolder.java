@@ -50,9 +50,9 @@ public final class RunFolder implements Closeable {
    * Begins the tables.
    *
    * @param folder which is closed together with this object
-   * @param detection of the run; by chance, tables have more columns
-   * @param detail of each step
-   * @param format of the tables of steps, cameras and targets
+   * @param detection the detection of the run; by chance, tables have more columns
+   * @param detail the detail of each step
+   * @param format the format of the tables of steps, cameras and targets
    */
   public RunFolder(OutputFolder folder, Detection detection, Detail detail, TableFormat format)
       throws IOException {

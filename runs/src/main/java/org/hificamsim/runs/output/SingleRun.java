@@ -35,8 +35,8 @@ public final class SingleRun implements StepListener, Closeable {
    * Begins the folder.
    *
    * @param run the number of the run
-   * @param detection of the run
-   * @param detail of each step
+   * @param detection the detection of the run
+   * @param detail the detail of each step
    * @param following what is measured of how cameras follow targets
    */
   public SingleRun(Path path, int run, Detection detection, Detail detail, Following following)
@@ -71,8 +71,8 @@ public final class SingleRun implements StepListener, Closeable {
    * Moves the files into place.
    *
    * @param plan the settings and the seed of the run
-   * @param traffic between the cameras
-   * @param proof of the policy; empty if it does not claim to be the best
+   * @param traffic the traffic between the cameras
+   * @param proof the proof of the policy; empty if it does not claim to be the best
    */
   public void commit(RunPlan plan, Traffic traffic, Optional<Proof> proof) throws IOException {
     Measured measured = new Measured(sums, plan.objective(), traffic, proof, followed());

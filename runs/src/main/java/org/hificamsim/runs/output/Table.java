@@ -27,7 +27,7 @@ import org.hificamsim.runs.output.Column.Kind;
  *
  * @param <R> the type that a row is made of
  * @param file the name of the file
- * @param columns in order
+ * @param columns the columns in order
  */
 public record Table<R>(String file, List<Column<R>> columns) {
   /** A table without columns. */

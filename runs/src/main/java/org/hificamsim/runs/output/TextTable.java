@@ -38,7 +38,7 @@ public final class TextTable {
    * An empty table.
    *
    * @param names the number of first columns that are names
-   * @param header of each column
+   * @param header the header of each column
    */
   public TextTable(int names, List<String> header) {
     this.names = names;

@@ -23,7 +23,7 @@ public final class Bootstrap {
    * The estimate of a figure of the seeds; draws for which it is NaN are left out.
    *
    * @param seeds the number of seeds
-   * @param figure of some seeds, given by their numbers, which may repeat
+   * @param figure the figure of some seeds, given by their numbers, which may repeat
    */
   public static Estimate of(int seeds, ToDoubleFunction<int[]> figure) {
     double value = figure.applyAsDouble(IntStream.range(0, seeds).toArray());

@@ -82,7 +82,7 @@ public final class PairedTest {
    * Test Procedure, 1979), in the same order: the probability of any false finding among all stays
    * below the chosen level. NaN stays NaN and is not counted.
    *
-   * @param pValues of all comparisons that are judged together
+   * @param pValues the p-values of all comparisons that are judged together
    */
   public static double[] corrected(double[] pValues) {
     double[] corrected = new double[pValues.length];
