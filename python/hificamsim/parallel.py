@@ -15,7 +15,7 @@ from . import spaces
 from .errors import InputError, shown
 from .remade import Remade, State
 from .screen import Screen
-from .worlds import DETAILS, MEASURES, Array, rendered
+from .worlds import DETAILS, MEASURES, Array, rendered, require_episode
 
 
 class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
@@ -96,7 +96,7 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
     ]:
         """Every camera acts, and a step goes by."""
         worlds = self.worlds
-        worlds.require_episode(bool(self.agents))
+        require_episode(worlds, bool(self.agents))
         told = spaces.told(self._listed(actions), self._counts, self._whose, worlds.least_action)
         worlds.actions[0] = told.reshape(worlds.actions.shape[1:])
         worlds.step()

@@ -14,7 +14,7 @@ from gymnasium.vector.utils import batch_space
 from . import spaces
 from .errors import InputError, shown, whole
 from .remade import Remade, State
-from .worlds import DETAILS, MEASURES, Array, rendered
+from .worlds import DETAILS, MEASURES, Array, rendered, require_episode
 
 
 class CameraVectorEnv(Remade, VectorEnv[Any, Any, Any]):
@@ -118,7 +118,7 @@ class CameraVectorEnv(Remade, VectorEnv[Any, Any, Any]):
     def step(self, actions: Any) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
         """Every network goes on by a step."""
         worlds = self.worlds
-        worlds.require_episode(self._begun)
+        require_episode(worlds, self._begun)
         told = spaces.told(actions, self._counts, self._whose, worlds.least_action)
         worlds.actions[...] = told.reshape(worlds.actions.shape)
         worlds.step()
@@ -246,7 +246,7 @@ class NetworkEnv(Remade, gymnasium.Env[Any, Any]):
     def step(self, action: Any) -> tuple[Array, float, bool, bool, dict[str, Any]]:
         """All cameras act, and a step goes by."""
         worlds = self.worlds
-        worlds.require_episode(self._playing)
+        require_episode(worlds, self._playing)
         told = spaces.told(action, self._counts, self._whose, worlds.least_action)
         worlds.actions[0] = told.reshape(worlds.actions.shape[1:])
         worlds.step()

@@ -215,13 +215,6 @@ class Worlds(Remade):
         self.reset(seed)
         self._begun = True
 
-    def require_episode(self, playing: bool) -> None:
-        """Rejects a step of an environment that has no episode."""
-        if self._closed:
-            raise Closed("the environment was closed, expected a new one")
-        if not playing:
-            raise NoEpisode("the environment has no episode, or its episode is over: expected reset()")
-
     def state(self) -> Array:
         """The state of every world, (B, S); a view."""
         self._backend.state()
@@ -278,6 +271,14 @@ class Worlds(Remade):
 
     def __exit__(self, *fault: object) -> None:
         self.close()
+
+
+def require_episode(worlds: Worlds, playing: bool) -> None:
+    """Rejects a step of an environment that was closed or has no episode."""
+    if worlds._closed:
+        raise Closed("the environment was closed, expected a new one")
+    if not playing:
+        raise NoEpisode("the environment has no episode, or its episode is over: expected reset()")
 
 
 def rendered(

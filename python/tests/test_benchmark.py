@@ -127,7 +127,7 @@ def test_reset_mask_selects_worlds_without_autoreset(backend: str) -> None:
     for _ in range(3):
         last, _, _, truncations, _ = envs.step(actions)
     assert truncations.all()
-    with pytest.raises(hificamsim.InputError, match="episode of 3 steps is over"):
+    with pytest.raises(hificamsim.NoEpisode, match="episode of 3 steps is over"):
         envs.step(actions)
     first, _ = envs.reset(options={"reset_mask": np.array([True, False])})
     assert (first[1] == last[1]).all() and (first[0] != last[0]).any()

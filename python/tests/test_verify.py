@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import hashlib
 import json
-import os
 import pathlib
 import subprocess
 from typing import Any
@@ -14,6 +13,7 @@ import numpy as np
 import pytest
 
 import hificamsim
+from hificamsim import java
 from hificamsim.worlds import TESTING, scenario_file
 
 TASK = "bench/passage-v1"
@@ -249,7 +249,7 @@ def test_file_sees_its_own_folder_and_what_lies_beside_it(tmp_path: pathlib.Path
     text = f"""
 import os
 assert os.path.isdir(".root"), "unconfined"
-for hidden in {[str(tmp_path / "elsewhere"), scenario_file("campus"), os.environ["HIFICAMSIM_JARS"], "/etc/passwd"]}:
+for hidden in {[str(tmp_path / "elsewhere"), scenario_file("campus"), java.class_path()[0], "/etc/passwd"]}:
     assert not os.path.exists(hidden), hidden
 assert open({str(tmp_path / "mine" / "weights.txt")!r}).read() == "1"
 assert sorted(os.listdir(".")) == [".root", "decide.py", "errors", "policy.py"], os.listdir(".")
