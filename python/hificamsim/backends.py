@@ -276,7 +276,8 @@ class JvmBackend:
     def close(self) -> None:
         """Ends the worlds. The JVM stays: it cannot be started twice in a process."""
         if self._session is not None and _Jvm.process == os.getpid() and not _Jvm.ends:
-            self._closer()
+            self._call(self._session.close)
+            self._closer.detach()
         self._session = None
 
 

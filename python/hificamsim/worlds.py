@@ -20,8 +20,6 @@ Array = npt.NDArray[Any]
 DETAILS = ("seen", "added", "sent")  # what ``details`` has, by name
 MEASURES = ("coverage", "k_min", "score")  # what ``measures`` has, by name
 
-WIDEST = 10_000  # pixels of a picture
-
 SCENARIOS = pathlib.Path(__file__).resolve().parent / "scenarios"
 
 
@@ -250,8 +248,8 @@ class Worlds(Remade):
 
     def picture(self, width: int = 800, world: int = 0) -> Array:
         """A world as it is now, uint8 (height, width, 3); ``width`` from 1 to 10,000."""
-        wide = whole(width, "width", 1, WIDEST)
-        data = self._backend.picture(whole(world, "world", 0, self.num_envs - 1), wide)
+        pixels = whole(width, "width", -(2**31), 2**31 - 1)  # the simulator knows how wide a picture may be
+        data = self._backend.picture(whole(world, "world", 0, self.num_envs - 1), pixels)
         wide, high = np.frombuffer(data, ">i4", 2)
         picture: Array = np.frombuffer(data, np.uint8, offset=8).reshape(high, wide, 3).copy()
         return picture

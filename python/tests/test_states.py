@@ -242,6 +242,19 @@ def test_one_thread_at_a_time_enters_an_environment(backend: str) -> None:
     env.close()
 
 
+def test_environment_in_use_can_be_closed_afterwards() -> None:
+    worlds = hificamsim.Worlds("corridor", backend="jvm")
+    backend = worlds._backend
+    with backend._call._busy:  # as a thread has it that steps
+        with pytest.raises(hificamsim.InUse):
+            worlds.close()
+        assert backend._closer.alive
+    worlds.close()
+    assert not backend._closer.alive
+    with pytest.raises(hificamsim.Closed):
+        worlds.step()
+
+
 @pytest.mark.parametrize("ending", ["before", "after"])
 def test_python_exits_when_the_first_environment_is_of_a_thread(ending: str) -> None:
     done = python(
