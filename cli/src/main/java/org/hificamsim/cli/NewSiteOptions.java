@@ -53,12 +53,10 @@ final class NewSiteOptions {
     Optional<Floorplan> floorplan =
         picture.map(image -> new Floorplan(fromPlan(image), options.area(image)));
     String name = SiteOptions.safe(file.getFileName().toString().replaceFirst("\\.[^.]*$", ""));
-    Scenario site =
-        reader
-            .site(name, 0, OptionalDouble.empty(), drawing, floorplan)
-            .scenario()
-            .with(Scenario.MOUNT_HEIGHT, MOUNT_HEIGHT);
-    return reader.isPicture() ? site.withField(options.area(file)) : site;
+    return reader
+        .site(name, 0, OptionalDouble.empty(), drawing, floorplan)
+        .scenario()
+        .with(Scenario.MOUNT_HEIGHT, MOUNT_HEIGHT);
   }
 
   /** The way to a picture from the folder of the plan, in which the scenario will be saved. */

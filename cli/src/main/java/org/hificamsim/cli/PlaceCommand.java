@@ -21,7 +21,6 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.cover.CoverSearch;
@@ -31,7 +30,6 @@ import org.hificamsim.placement.cover.Goal;
 import org.hificamsim.placement.cover.InstanceFile;
 import org.hificamsim.placement.output.PlanCheck;
 import org.hificamsim.placement.output.PlanFiles;
-import org.hificamsim.placement.site.CameraPlan;
 import org.hificamsim.placement.site.Candidates;
 import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
@@ -169,8 +167,7 @@ final class PlaceCommand implements Callable<Integer> {
         problem.solve(
             effort(interrupt), new SearchProgress(this::note, !goal.isFullCover()), refinement);
     try (OutputFolder output = screen.folder(folder)) {
-      PlanFiles.write(output, plan, Catalogue.load(), content(floor, catalogueCurrency));
-      copyFloorplan(file, plan, output);
+      PlanFiles.write(output, plan, Catalogue.load(), content(file, floor, catalogueCurrency));
       files.write(output, plan);
       if (form.isPresent()) {
         try (Writer writer = output.open("instance.txt")) {
@@ -182,16 +179,6 @@ final class PlaceCommand implements Callable<Integer> {
     }
     print(plan, folder);
     return 0;
-  }
-
-  /** Copies the picture of the site beside the plan, which names it. */
-  private static void copyFloorplan(Path scenario, CameraPlan plan, OutputFolder folder)
-      throws IOException {
-    Optional<Floorplan> original = plan.demand().site().floorplan();
-    if (original.isPresent()) {
-      String name = plan.scenario().floorplan().orElseThrow().file();
-      folder.copy(name, scenario.resolveSibling(original.get().file()));
-    }
   }
 
   /** How a plan is found. */
@@ -299,17 +286,16 @@ final class PlaceCommand implements Callable<Integer> {
     EvaluatedPlan plan = review.plan();
     List<Setup.Floor> floor = FloorPictures.of(review.file(), plan.demand().site());
     try (OutputFolder output = screen.folder(folder)) {
-      PlanFiles.writeDocuments(
-          output, plan, List.of(), catalogue, content(floor, PriceList.USUAL_CURRENCY));
-      copyFloorplan(review.file(), plan, output);
+      PlanFiles.Content content = content(review.file(), floor, PriceList.USUAL_CURRENCY);
+      PlanFiles.writeDocuments(output, plan, List.of(), catalogue, content);
       ManifestFile.write(output, screen.words(), started, 0);
       ResultFolder.commit(output, List.of());
     }
     screen.out().println(folder + "/index.html, plan.pdf");
   }
 
-  private PlanFiles.Content content(List<Setup.Floor> floor, String currency) {
-    return new PlanFiles.Content(floor, files.title(currency), screen.words(), this::note);
+  private PlanFiles.Content content(Path site, List<Setup.Floor> floor, String currency) {
+    return new PlanFiles.Content(site, floor, files.title(currency), screen.words(), this::note);
   }
 
   private EvaluatedPlan evaluated(Path plan, Catalogue catalogue) {

@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.io.Writer;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -15,6 +16,7 @@ import org.hificamsim.core.Spelling;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.output.PlanTables.CameraRow;
 import org.hificamsim.placement.output.PlanTables.PointRow;
@@ -47,12 +49,17 @@ public final class PlanFiles {
   /**
    * What is written besides the plan.
    *
+   * @param site the file of the site, beside which its floor plan is
    * @param floor the floor plan of the site
    * @param command the words of the command that made the plan
    * @param progress is told what is done next
    */
   public record Content(
-      List<Setup.Floor> floor, TitleBlock title, List<String> command, Consumer<String> progress) {}
+      Path site,
+      List<Setup.Floor> floor,
+      TitleBlock title,
+      List<String> command,
+      Consumer<String> progress) {}
 
   /** Returns the reason why a picture is missing; empty if all are drawn. */
   public static Optional<String> omission(CameraPlan plan) {
@@ -104,11 +111,22 @@ public final class PlanFiles {
       PlanDxf.write(dxf, plan, sectors);
     }
     folder.write(SCENARIO, ScenarioWriter.write(plan.scenario()));
+    copyFloorplan(folder, plan, content.site);
     double[] sharesWithout = plan.cover().sharesWithout();
     PlanTables.CAMERAS.write(
         folder,
         IntStream.range(0, plan.cameras().size())
             .mapToObj(i -> cameraRow(plan, i, sharesWithout[i])));
+  }
+
+  /** Copies the picture of the site beside the plan, which names it. */
+  private static void copyFloorplan(OutputFolder folder, CameraPlan plan, Path site)
+      throws IOException {
+    Optional<Floorplan> original = plan.demand().site().floorplan();
+    if (original.isPresent()) {
+      String name = plan.scenario().floorplan().orElseThrow().file();
+      folder.copy(name, site.resolveSibling(original.get().file()));
+    }
   }
 
   /** Adds {@link #CANDIDATES}, which is large. */

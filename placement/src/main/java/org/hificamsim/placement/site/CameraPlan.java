@@ -2,6 +2,7 @@ package org.hificamsim.placement.site;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Floorplan;
@@ -46,6 +47,18 @@ public interface CameraPlan {
   /** The price of all new cameras. */
   default double price() {
     return products().stream().mapToDouble(Product::price).sum();
+  }
+
+  /**
+   * The first of the facts: how many cameras there are, what they cost, and what they meet.
+   *
+   * @param note on the cameras, after their number
+   * @param price of the new ones
+   */
+  default String claim(String note, String price) {
+    return Texts.format(
+        "%s%s, price %s: %.2f %% of the demand is met",
+        Texts.counted(cameras().size(), "camera"), note, price, 100 * cover().claimedShare());
   }
 
   /** The height at which a camera hangs, metres; NaN if the site has none. */

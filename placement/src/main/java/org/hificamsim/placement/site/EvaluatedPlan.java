@@ -1,6 +1,5 @@
 package org.hificamsim.placement.site;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
@@ -25,14 +24,10 @@ public record EvaluatedPlan(PlanCover cover, CoverageReading reading) implements
 
   @Override
   public List<String> facts() {
-    List<String> facts = new ArrayList<>();
-    facts.add(
-        Texts.format(
-            "%s, price %s: %.2f %% of the demand is met",
-            Texts.counted(cameras().size(), "camera"), priceText(), 100 * cover.claimedShare()));
-    facts.add(reading.words());
-    facts.add("the cameras are measured as they are; no better ones were looked for");
-    return facts;
+    return List.of(
+        claim("", priceText()),
+        reading.words(),
+        "the cameras are measured as they are; no better ones were looked for");
   }
 
   /** The price of all cameras, with the number of those whose price is not known. */

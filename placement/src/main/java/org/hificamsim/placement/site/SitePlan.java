@@ -66,13 +66,7 @@ public record SitePlan(
   @Override
   public List<String> facts() {
     List<String> facts = new ArrayList<>();
-    facts.add(
-        Texts.format(
-            "%s%s, price %.2f: %.2f %% of the demand is met",
-            Texts.counted(cameras().size(), "camera"),
-            keptFact(),
-            price(),
-            100 * cover.claimedShare()));
+    facts.add(claim(keptFact(), Texts.format("%.2f", price())));
     if (demand().isForArea()) {
       facts.add(
           Texts.format(
