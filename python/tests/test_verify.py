@@ -246,8 +246,11 @@ def test_file_sees_its_own_folder_and_what_lies_beside_it(tmp_path: pathlib.Path
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "weights.txt").write_text("1")
     text = f"""
-import os
+import importlib.util, os
 assert os.path.isdir(".root"), "unconfined"
+package = importlib.util.find_spec("hificamsim").submodule_search_locations[0]
+for folder in "jars", "scenarios":
+    assert os.listdir(os.path.join(package, folder)) == [], folder
 for hidden in {[str(tmp_path / "elsewhere"), "/etc/passwd"]}:
     assert not os.path.exists(hidden), hidden
 assert open({str(tmp_path / "mine" / "weights.txt")!r}).read() == "1"

@@ -2,8 +2,11 @@ package org.hificamsim.core.program;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * The Python that runs a user's files.
@@ -12,6 +15,12 @@ import java.util.List;
  * @param folders the folders of its library and packages
  */
 public record PythonInterpreter(Path executable, List<Path> folders) {
+  /** The folders of this package, where it is installed, that a policy must not read. */
+  private static final List<String> TRUTH = List.of("hificamsim/jars", "hificamsim/scenarios");
+
+  /** By command, what was found. */
+  private static final Map<String, PythonInterpreter> FOUND = new HashMap<>();
+
   /** The environment variable that names another interpreter. */
   public static final String VARIABLE = "HIFICAMSIM_PYTHON";
 
@@ -27,13 +36,22 @@ public record PythonInterpreter(Path executable, List<Path> folders) {
       """;
 
   /**
-   * Asks the interpreter that the user names, the caller, or {@code python3}.
+   * Asks the interpreter that the user names, the caller, or {@code python3}; each of them once.
    *
    * @throws IOException when it cannot be run
    */
-  public static PythonInterpreter find() throws IOException {
+  public static synchronized PythonInterpreter find() throws IOException {
     String caller = System.getProperty(CALLER, "python3");
     String command = System.getenv().getOrDefault(VARIABLE, caller);
+    PythonInterpreter found = FOUND.get(command);
+    if (found == null) {
+      found = ask(command);
+      FOUND.put(command, found);
+    }
+    return found;
+  }
+
+  private static PythonInterpreter ask(String command) throws IOException {
     Process process = new ProcessBuilder(command, "-I", "-c", SCRIPT).start();
     process.getOutputStream().close();
     String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
@@ -43,6 +61,14 @@ public record PythonInterpreter(Path executable, List<Path> folders) {
     }
     return new PythonInterpreter(
         found.get(0), found.stream().skip(1).distinct().filter(path -> isBelowRoot(path)).toList());
+  }
+
+  /** The folders of the simulator and its scenarios among its packages. */
+  public List<Path> simulator() {
+    return folders.stream()
+        .flatMap(folder -> TRUTH.stream().map(folder::resolve))
+        .filter(Files::isDirectory)
+        .toList();
   }
 
   private static boolean isBelowRoot(Path path) {

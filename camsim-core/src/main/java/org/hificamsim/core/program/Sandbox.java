@@ -13,12 +13,14 @@ import org.hificamsim.core.file.Io;
  * Limits what a program may do: its processor time and memory, and, where the system {@link
  * #confines} programs, it has no network, sees no other process, writes to its own folder alone,
  * and reads nothing but that folder, the system's programs and libraries, and what it is given.
+ * Folders that are hidden from it are empty.
  *
  * @param seconds the limit of processor time, seconds
  * @param megabytes the limit of memory, megabytes
  * @param readable the files and folders that the program may read
+ * @param hidden folders among these that it sees as empty ones
  */
-public record Sandbox(long seconds, int megabytes, List<Path> readable) {
+public record Sandbox(long seconds, int megabytes, List<Path> readable, List<Path> hidden) {
   /** The name of the program that makes namespaces, with which its own messages begin. */
   static final String PROGRAM = "unshare";
 
@@ -35,7 +37,7 @@ public record Sandbox(long seconds, int megabytes, List<Path> readable) {
     private static final boolean AVAILABLE = isAvailable();
 
     private static boolean isAvailable() {
-      Sandbox sandbox = new Sandbox(10, 1_000, List.of());
+      Sandbox sandbox = new Sandbox(10, 1_000, List.of(), List.of());
       try (LimitedProgram nothing = new LimitedProgram(folder(), List.of("true"), sandbox, true)) {
         return nothing.exit() == 0;
       } catch (IOException e) {
@@ -51,7 +53,12 @@ public record Sandbox(long seconds, int megabytes, List<Path> readable) {
   /** The same limits for a program that may read more. */
   public Sandbox reading(List<Path> more) {
     return new Sandbox(
-        seconds, megabytes, Stream.concat(readable.stream(), more.stream()).toList());
+        seconds, megabytes, Stream.concat(readable.stream(), more.stream()).toList(), hidden);
+  }
+
+  /** The same limits for a program from which folders are hidden. */
+  public Sandbox hiding(List<Path> folders) {
+    return new Sandbox(seconds, megabytes, readable, folders);
   }
 
   /** Starts a program in a folder, with nothing of this process's environment. */
@@ -78,10 +85,15 @@ public record Sandbox(long seconds, int megabytes, List<Path> readable) {
     command.add(confined ? "confined" : "limited");
     command.add(Long.toString(seconds));
     command.add(Long.toString(1024L * megabytes));
-    command.add(Integer.toString(readable.size()));
-    // a folder before what is in it
-    readable.stream().map(Path::toAbsolutePath).sorted().map(Path::toString).forEach(command::add);
+    addFolders(command, readable);
+    addFolders(command, hidden);
     command.addAll(program);
     return command;
+  }
+
+  /** Adds the number of paths, and the paths: a folder before what is in it. */
+  private static void addFolders(List<String> command, List<Path> paths) {
+    command.add(Integer.toString(paths.size()));
+    paths.stream().map(Path::toAbsolutePath).sorted().map(Path::toString).forEach(command::add);
   }
 }

@@ -1,7 +1,8 @@
 # Runs a program with at most $2 seconds of processor time, $3 kilobytes of memory, and files of at most 64 MB. A limit that
 # a sandbox around this one has set lower stays. With $1 "limited" that is all. With "confined" the program has no network,
 # sees no other process, writes to its own folder alone, and reads nothing but that folder, the system's programs and
-# libraries, and the $4 files and folders that follow, in which none comes before the folder that it is in; that needs namespaces for users, as Linux has them.
+# libraries, and the $4 files and folders that follow, in which none comes before the folder that it is in. Then come the number of
+# folders to hide, and these: the program sees them empty. That needs namespaces for users, as Linux has them.
 confinement=$1
 ulimit -t "$2" 2>/dev/null || true
 ulimit -v "$3" 2>/dev/null || true
@@ -27,12 +28,17 @@ confined='
     for place in /usr /nix/store /etc/alternatives /etc/ld.so.cache /etc/localtime /etc/java* /proc /dev/null /dev/zero /dev/random /dev/urandom; do
         show "$place"
     done
-    readable=$1
-    shift
-    while [ "$readable" -gt 0 ]; do
-        show "$1"
+    hide() {
+        [ ! -d "$root$1" ] || mount -t tmpfs none "$root$1"
+    }
+    for action in show hide; do
+        count=$1
         shift
-        readable=$((readable - 1))
+        while [ "$count" -gt 0 ]; do
+            "$action" "$1"
+            shift
+            count=$((count - 1))
+        done
     done
     mkdir -p "$root$PWD"
     mount --bind "$PWD" "$root$PWD"
@@ -48,5 +54,6 @@ confined='
     umount -l .
     exec unshare -Urm --wd="$own" "$@"'
 [ "$confinement" = limited ] || exec unshare -Urnpf --mount-proc --kill-child sh -c "$confined" sh "$@"
+shift "$(($1 + 1))"
 shift "$(($1 + 1))"
 exec "$@"

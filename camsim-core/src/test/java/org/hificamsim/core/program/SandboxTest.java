@@ -29,6 +29,21 @@ class SandboxTest {
   }
 
   @Test
+  void hiddenFolderIsEmptyForConfinedProgram() throws IOException {
+    assumeTrue(Sandbox.confines(), "this system has no namespaces for users");
+    Path hidden = Files.createDirectories(folder.resolve("packages/a folder with jars"));
+    Files.writeString(hidden.resolve("oracle"), "truth");
+    Path packages = Files.writeString(folder.resolve("packages/library"), "shown").getParent();
+    Sandbox sandbox =
+        new Sandbox(10, 1_000, List.of(packages), List.of(hidden, folder.resolve("no folder")));
+    String script =
+        "cat '" + packages + "/library'; ls -A '" + hidden + "'; echo .; true 2>/dev/null >'";
+    assertEquals("shown.\n", said(script + hidden + "/new' || true", sandbox, true));
+    assertEquals("truth", Files.readString(hidden.resolve("oracle")));
+    assertFalse(Files.exists(hidden.resolve("new")));
+  }
+
+  @Test
   void confinedProgramConfinesAnother() throws IOException {
     assumeTrue(Sandbox.confines(), "this system has no namespaces for users");
     assertEquals("free\n", run("unshare -Urm true && echo free", List.of()));
@@ -42,12 +57,12 @@ class SandboxTest {
   @Test
   void limitedProgramReadsAllFiles() throws IOException {
     Path secret = Files.writeString(folder.resolve("secret"), "open");
-    Sandbox sandbox = new Sandbox(10, 1_000, List.of());
+    Sandbox sandbox = new Sandbox(10, 1_000, List.of(), List.of());
     assertEquals("open\n", said("cat '" + secret + "'; echo", sandbox, false));
   }
 
   private String run(String script, List<Path> readable) throws IOException {
-    return said(script, new Sandbox(10, 1_000, readable), Sandbox.confines());
+    return said(script, new Sandbox(10, 1_000, readable, List.of()), Sandbox.confines());
   }
 
   private String said(String script, Sandbox sandbox, boolean confined) throws IOException {

@@ -47,7 +47,9 @@ final class EpisodeProgram implements AutoCloseable {
       python.ifPresent(found -> readable.addAll(found.folders()));
       program =
           new LimitedProgram(
-              folder, command(folder, python), new Sandbox(seconds, limits.megabytes(), readable));
+              folder,
+              command(folder, python),
+              new Sandbox(seconds, limits.megabytes(), readable, List.of()));
     } catch (IOException e) {
       throw new InputException("Java cannot be run (" + e.getMessage() + "), expected it", e);
     }

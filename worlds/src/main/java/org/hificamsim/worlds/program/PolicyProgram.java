@@ -38,7 +38,9 @@ final class PolicyProgram implements AutoCloseable {
       }
       PythonInterpreter python = PythonInterpreter.find();
       List<String> command = List.of(python.executable().toString(), "-I", SCRIPT, COPY);
-      program = new LimitedProgram(folder, command, sandbox.reading(readable(python)));
+      program =
+          new LimitedProgram(
+              folder, command, sandbox.reading(readable(python)).hiding(python.simulator()));
       send(header.getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new InputException(
