@@ -2,7 +2,6 @@ package org.hificamsim.agents.observation;
 
 import java.util.Arrays;
 import org.hificamsim.agents.cooperative.SharedBelief;
-import org.hificamsim.agents.voting.NearestCameras;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 
@@ -18,8 +17,7 @@ public final class CameraObserver {
 
   private final ObservationLayout layout;
   private final int size;
-  private final ViewFeatures.Standpoints standpoints;
-  private final NearestCameras nearest;
+  private final ViewRows rows;
 
   /** By number of cameras, the share of all cameras. */
   private final float[] cameraShares;
@@ -41,6 +39,7 @@ public final class CameraObserver {
   /** Creates the observer of a network, before its first decision. */
   public CameraObserver(NetworkView network, ObservationLayout layout) {
     this(network, layout, Bounds.shares(network.cameras()), Bounds.shares(network.targets()));
+    views = new ViewFeatures(network, rows);
   }
 
   private CameraObserver(
@@ -49,11 +48,10 @@ public final class CameraObserver {
     this.cameraShares = cameraShares;
     this.targetShares = targetShares;
     size = layout.size();
-    standpoints = new ViewFeatures.Standpoints(network);
-    nearest = new NearestCameras(network, layout.neighbours());
+    rows = new ViewRows(network, layout);
     movingDecisions = new int[network.cameras()];
     belief = layout.views() == 0 ? null : new BeliefFeatures(network, layout.views());
-    update(network);
+    revision = network.revision();
   }
 
   /**
@@ -63,13 +61,13 @@ public final class CameraObserver {
    */
   public CameraObserver(NetworkView network, ObservationLayout layout, CameraObserver other) {
     this(network, layout, other.cameraShares, other.targetShares);
-    views = views.sharedWith(other.views);
+    views = other.views.areOf(network, rows) ? other.views : new ViewFeatures(network, rows);
   }
 
   private void update(NetworkView network) {
     revision = network.revision();
-    nearest.update(network);
-    views = new ViewFeatures(network, layout, standpoints, nearest);
+    rows.update(network);
+    views = new ViewFeatures(network, rows);
   }
 
   /** Writes the observations of all cameras. */

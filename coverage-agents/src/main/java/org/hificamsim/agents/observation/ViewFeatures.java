@@ -1,10 +1,6 @@
 package org.hificamsim.agents.observation;
 
 import java.util.Arrays;
-import java.util.function.IntToDoubleFunction;
-import java.util.stream.IntStream;
-import org.hificamsim.agents.voting.NearestCameras;
-import org.hificamsim.core.detection.VerticalView;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
@@ -13,58 +9,11 @@ import org.hificamsim.core.policy.NetworkView;
  * Valid until the revision of the network changes.
  */
 final class ViewFeatures {
-  private static final int GOAL_PAN = ObservationLayout.at("goal_pan");
   private static final int PAN = ObservationLayout.at("pan");
   private static final int BLIND = ObservationLayout.at("blind");
 
   /** The numbers of a view: pan, zoom and angle. */
   private static final int VIEW_NUMBERS = 3;
-
-  /** The height that counts as 1, metres. */
-  private static final double HEIGHT_SCALE = 10;
-
-  /**
-   * A scale for the positions of cameras: the centre of those that are online at the beginning is
-   * at 0, and the outermost of them, in x or y, is at 1 or -1.
-   */
-  static final class Standpoints {
-    private final double middleX;
-    private final double middleY;
-    private final double halfExtent;
-
-    Standpoints(NetworkView network) {
-      double left = least(network, network::cameraX);
-      double right = -least(network, camera -> -network.cameraX(camera));
-      double bottom = least(network, network::cameraY);
-      double top = -least(network, camera -> -network.cameraY(camera));
-      middleX = (left + right) / 2;
-      middleY = (bottom + top) / 2;
-      halfExtent = Math.max(Math.max(right - left, top - bottom) / 2, Double.MIN_NORMAL);
-    }
-
-    private static double least(NetworkView network, IntToDoubleFunction coordinate) {
-      return IntStream.range(0, network.cameras())
-          .filter(network::online)
-          .mapToDouble(coordinate)
-          .min()
-          .orElse(0);
-    }
-
-    /** Returns an x coordinate on the scale. */
-    float x(double metres) {
-      return Bounds.signed((metres - middleX) / halfExtent);
-    }
-
-    /** Returns a y coordinate on the scale. */
-    float y(double metres) {
-      return Bounds.signed((metres - middleY) / halfExtent);
-    }
-
-    /** Returns a difference in x or y on half the scale, so that it is 1 between the outermost. */
-    float difference(double metres) {
-      return Bounds.signed(metres / halfExtent / 2);
-    }
-  }
 
   private final int size;
 
@@ -82,79 +31,28 @@ final class ViewFeatures {
   /** By link to a neighbour, the index of the neighbour's own numbers. */
   private final int[] copyFrom;
 
-  ViewFeatures(
-      NetworkView network,
-      ObservationLayout layout,
-      Standpoints standpoints,
-      NearestCameras nearest) {
-    size = layout.size();
-    tiltIndex = layout.heights() ? layout.ownSize() - 1 : 0;
+  ViewFeatures(NetworkView network, ViewRows source) {
+    size = source.size();
+    tiltIndex = source.tiltIndex();
     firstRow = new int[network.cameras() + 1];
-    int links = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
       firstRow[camera + 1] = firstRow[camera] + network.views(camera);
-      links += nearest.count(camera);
     }
-    copyTo = new int[links];
-    copyFrom = new int[links];
-    link(network, layout, nearest);
+    copyTo = source.lastNumbersOfLinks(network);
+    copyFrom = source.neighboursOfLinks(network);
     rows = new float[firstRow[network.cameras()] * size];
     perReach = new double[firstRow[network.cameras()]];
     perAngle = new double[perReach.length];
+    float[] row = new float[size];
     for (int camera = 0; camera < network.cameras(); camera++) {
+      source.fillCamera(network, camera, row);
       for (int view = 0; view < network.views(camera); view++) {
-        fill(network, standpoints, camera, view);
-        int row = (firstRow[camera] + view) * size;
-        fillNeighbours(network, standpoints, nearest, camera, row + layout.ownSize());
+        int number = firstRow[camera] + view;
+        source.fillView(network, camera, view, row);
+        System.arraycopy(row, 0, rows, number * size, size);
+        perReach[number] = 1 / network.reach(camera, view);
+        perAngle[number] = 1 / network.zoom(camera, view).viewingAngle();
       }
-    }
-  }
-
-  private void link(NetworkView network, ObservationLayout layout, NearestCameras nearest) {
-    int link = 0;
-    for (int camera = 0; camera < network.cameras(); camera++) {
-      for (int i = 0; i < nearest.count(camera); i++) {
-        int last = layout.ownSize() + (i + 1) * ObservationLayout.NEIGHBOUR.size() - 1;
-        copyTo[link] = camera * size + last;
-        copyFrom[link] = nearest.neighbour(camera, i) * size;
-        link++;
-      }
-    }
-  }
-
-  private void fill(NetworkView network, Standpoints standpoints, int camera, int view) {
-    int row = firstRow[camera] + view;
-    double angle = network.zoom(camera, view).viewingAngle();
-    perReach[row] = 1 / network.reach(camera, view);
-    perAngle[row] = 1 / angle;
-    int zooms = network.zooms(camera);
-    int at = row * size;
-    rows[at] = 1;
-    rows[at + 1] = standpoints.x(network.cameraX(camera));
-    rows[at + 2] = standpoints.y(network.cameraY(camera));
-    rows[at + 3] = Bounds.signed(Math.sin(network.cameraHeading(camera)));
-    rows[at + 4] = Bounds.signed(Math.cos(network.cameraHeading(camera)));
-    rows[at + PAN] = Bounds.signed(network.pan(camera, view) / Math.PI);
-    rows[at + PAN + 1] =
-        zooms == 1 ? 1 : Bounds.share(network.zoomOf(camera, view) / (zooms - 1.0));
-    rows[at + PAN + 2] = Bounds.share(angle / (2 * Math.PI));
-    System.arraycopy(rows, at + PAN, rows, at + GOAL_PAN, 2);
-    if (tiltIndex > 0) {
-      VerticalView vertical = network.zoom(camera, view).vertical();
-      rows[at + tiltIndex - 2] = Bounds.share(vertical.z() / HEIGHT_SCALE);
-      rows[at + tiltIndex - 1] = Bounds.signed(vertical.tilt() / (Math.PI / 2));
-      rows[at + tiltIndex] = rows[at + tiltIndex - 1];
-    }
-  }
-
-  private void fillNeighbours(
-      NetworkView network, Standpoints standpoints, NearestCameras nearest, int camera, int first) {
-    int at = first;
-    for (int i = 0; i < nearest.count(camera); i++) {
-      int neighbour = nearest.neighbour(camera, i);
-      rows[at] = standpoints.difference(network.cameraX(neighbour) - network.cameraX(camera));
-      rows[at + 1] = standpoints.difference(network.cameraY(neighbour) - network.cameraY(camera));
-      at += ObservationLayout.NEIGHBOUR.size();
     }
   }
 
@@ -202,20 +100,28 @@ final class ViewFeatures {
   }
 
   /**
-   * Returns the other object if its numbers are equal, else this one. Many worlds that share one
-   * object keep it in the processor's cache.
+   * Whether a network has these numbers, too. Worlds that share one object keep it in the
+   * processor's cache.
    */
-  ViewFeatures sharedWith(ViewFeatures others) {
-    return equalsNumbers(others) ? others : this;
-  }
-
-  private boolean equalsNumbers(ViewFeatures others) {
-    return size == others.size
-        && Arrays.equals(firstRow, others.firstRow)
-        && Arrays.equals(rows, others.rows)
-        && Arrays.equals(perReach, others.perReach)
-        && Arrays.equals(perAngle, others.perAngle)
-        && Arrays.equals(copyTo, others.copyTo)
-        && Arrays.equals(copyFrom, others.copyFrom);
+  boolean areOf(NetworkView network, ViewRows source) {
+    boolean same =
+        size == source.size()
+            && firstRow.length == network.cameras() + 1
+            && Arrays.equals(copyTo, source.lastNumbersOfLinks(network))
+            && Arrays.equals(copyFrom, source.neighboursOfLinks(network));
+    float[] row = new float[size];
+    for (int camera = 0; same && camera < network.cameras(); camera++) {
+      same = firstRow[camera] + network.views(camera) == firstRow[camera + 1];
+      source.fillCamera(network, camera, row);
+      for (int view = 0; same && view < network.views(camera); view++) {
+        int number = firstRow[camera] + view;
+        source.fillView(network, camera, view, row);
+        same =
+            Arrays.equals(row, 0, size, rows, number * size, (number + 1) * size)
+                && perReach[number] == 1 / network.reach(camera, view)
+                && perAngle[number] == 1 / network.zoom(camera, view).viewingAngle();
+      }
+    }
+    return same;
   }
 }

@@ -59,7 +59,7 @@ class ObservationLayoutTest {
             return y[camera];
           }
         };
-    ViewFeatures.Standpoints standpoints = new ViewFeatures.Standpoints(network);
+    ViewRows.Standpoints standpoints = new ViewRows.Standpoints(network);
     assertEquals(-1, standpoints.x(2));
     assertEquals(-0.6f, standpoints.x(4));
     assertEquals(1, standpoints.x(12));
