@@ -1,8 +1,6 @@
 package org.hificamsim.core.world;
 
-import java.util.List;
 import org.hificamsim.core.detection.DetectionModel;
-import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.VisibleRegion;
 import org.hificamsim.core.scenario.Scenario;
@@ -14,8 +12,7 @@ import org.hificamsim.core.scenario.spec.Occlusion;
  * them hide each other. Safe for use by several threads between two refreshes.
  */
 public final class SightLines {
-  private final Obstacles obstacles;
-  private final Obstacles map;
+  private final ScenarioObstacles obstacles;
   private final Scenario scenario;
   private final boolean flat;
   private final boolean byTargets;
@@ -23,10 +20,6 @@ public final class SightLines {
   private final Targets targets;
   private final VisibleRegion[] regions;
   private final boolean partial;
-
-  /** The obstacles that let a part of the light through. */
-  private final Obstacles glass;
-
   private int revision = -1;
 
   /**
@@ -34,22 +27,22 @@ public final class SightLines {
    *     cameras have the same position; null for none
    */
   SightLines(
-      Obstacles obstacles, Scenario scenario, Cameras cameras, Targets targets, SightLines shared) {
+      ScenarioObstacles obstacles,
+      Scenario scenario,
+      Cameras cameras,
+      Targets targets,
+      SightLines shared) {
     this.obstacles = obstacles;
-    this.map = scenario.find(Scenario.MAP).map(Obstacles::new).orElse(obstacles);
     this.scenario = scenario;
     this.flat = !scenario.hasHeights();
     this.byTargets = scenario.occlusion() == Occlusion.TARGETS;
     this.cameras = cameras;
     this.targets = targets;
+    this.partial = !obstacles.glass().isEmpty();
     this.regions =
         shared == null
-            ? new VisibleRegion[obstacles.isEmpty() ? 0 : cameras.count()]
+            ? new VisibleRegion[obstacles.all().isEmpty() ? 0 : cameras.count()]
             : shared.regions.clone();
-    List<Obstacle> transparent =
-        obstacles.all().stream().filter(obstacle -> !obstacle.solid()).toList();
-    this.partial = !transparent.isEmpty();
-    this.glass = new Obstacles(transparent);
     refresh();
   }
 
@@ -61,7 +54,7 @@ public final class SightLines {
     revision = cameras.revision();
     for (int camera = 0; camera < regions.length; camera++) {
       if (hasMoved(camera)) {
-        regions[camera] = VisibleRegion.of(obstacles, cameras.x(camera), cameras.y(camera));
+        regions[camera] = VisibleRegion.of(obstacles.all(), cameras.x(camera), cameras.y(camera));
       }
     }
   }
@@ -72,7 +65,7 @@ public final class SightLines {
 
   /** The obstacles that cameras believe in. */
   public Obstacles map() {
-    return map;
+    return obstacles.map();
   }
 
   /** The mean width of targets, metres, if they hide each other; else 0. */
@@ -116,14 +109,16 @@ public final class SightLines {
   /** The part of a target's light that passes the obstacles that are not solid. */
   public double throughGlass(int camera, int target) {
     return partial
-        ? glass.transmittance(
-            cameras.x(camera),
-            cameras.y(camera),
-            cameras.z(camera),
-            targets.x(target),
-            targets.y(target),
-            targets.low(target),
-            targets.high(target))
+        ? obstacles
+            .glass()
+            .transmittance(
+                cameras.x(camera),
+                cameras.y(camera),
+                cameras.z(camera),
+                targets.x(target),
+                targets.y(target),
+                targets.low(target),
+                targets.high(target))
         : 1;
   }
 

@@ -3,7 +3,6 @@ package org.hificamsim.core.world;
 import java.util.List;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
@@ -19,6 +18,7 @@ import org.hificamsim.core.visibility.Pose;
  */
 public final class World {
   private final Participants participants;
+  private final ScenarioObstacles obstacles;
   private final Cameras cameras;
   private final Targets targets;
   private final SightLines sightLines;
@@ -37,20 +37,24 @@ public final class World {
    * @throws InputException if a target names a movement that is not registered
    */
   public World(Scenario scenario, Registry<Movement> registry, long seed) {
-    this(Participants.of(scenario), registry, seed, null);
+    this(Participants.of(scenario), ScenarioObstacles.of(scenario), registry, seed, null);
   }
 
   private World(
-      Participants participants, Registry<Movement> registry, long seed, SightLines shared) {
+      Participants participants,
+      ScenarioObstacles obstacles,
+      Registry<Movement> registry,
+      long seed,
+      SightLines shared) {
     this.participants = participants;
+    this.obstacles = obstacles;
     this.registry = registry;
     this.random = new RandomStreams(seed);
     Scenario scenario = participants.scenario();
     cameras = new Cameras(participants.cameras().size());
     shifts = new Shifts(cameras);
-    Obstacles obstacles = new Obstacles(scenario.obstacles());
     int count = participants.targets().size();
-    targets = new Targets(scenario.field(), obstacles, scenario.order(), count);
+    targets = new Targets(scenario.field(), obstacles.all(), scenario.order(), count);
     movements = new Movement[count];
     start();
     sightLines = new SightLines(obstacles, scenario, cameras, targets, shared);
@@ -61,7 +65,7 @@ public final class World {
    * may run in different threads.
    */
   public World another(long seed) {
-    return new World(participants, registry, seed, sightLines);
+    return new World(participants, obstacles, registry, seed, sightLines);
   }
 
   /** Defines all cameras and targets, and adds those of the start. */
