@@ -118,7 +118,7 @@ final class DetectionStatements {
   }
 
   private static double sum(List<Ratio> ratios, int[] seeds) {
-    return ratios.stream().mapToDouble(ratio -> ratio.at(seeds)).sum();
+    return ratios.stream().mapToDouble(ratio -> ratio.ofSeeds(seeds)).sum();
   }
 
   private Ratio hifi(List<String> scenarios, String policy) {

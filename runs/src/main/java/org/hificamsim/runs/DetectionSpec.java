@@ -58,7 +58,7 @@ public record DetectionSpec(
     return new DetectionSpec(text, models.apply(text), Optional.empty(), Optional.empty());
   }
 
-  /** The same detection by another rule if its name has none. */
+  /** Adds a rule to a name that has none. */
   public DetectionSpec or(DetectionRule other) {
     return new DetectionSpec(text, model, threshold, rule.or(() -> Optional.of(other)));
   }
@@ -69,46 +69,48 @@ public record DetectionSpec(
    * @param file the file of the scenario, for errors
    * @throws InputException when there is no such model, or its threshold or rule is wrong
    */
-  public static Detection of(Settings asked, Scenario scenario, Path file, Catalogue catalogue) {
-    return parse(asked, scenario, file, catalogue).detection(asked, scenario);
+  public static Detection of(Settings settings, Scenario scenario, Path file, Catalogue catalogue) {
+    return parse(settings, scenario, file, catalogue).detection(settings, scenario);
   }
 
   private static DetectionSpec parse(
-      Settings asked, Scenario scenario, Path file, Catalogue catalogue) {
+      Settings settings, Scenario scenario, Path file, Catalogue catalogue) {
     try {
-      return parse(asked.value(Setting.DETECTION, scenario), catalogue::detection);
+      return parse(settings.value(Setting.DETECTION, scenario), catalogue::detection);
     } catch (InputException e) {
-      throw asked.source(Setting.DETECTION, scenario) == SettingSource.SCENARIO
+      throw settings.source(Setting.DETECTION, scenario) == SettingSource.SCENARIO
           ? ScenarioReader.error(file, Scenario.DETECTION, e)
           : e;
     }
   }
 
-  /** The detection without regard to a scenario. */
-  public Detection detection(Settings asked) {
-    return detection(asked, OptionalDouble.empty(), Optional.empty());
+  /** The detection by its name and the user's settings alone, without a scenario. */
+  public Detection detection(Settings settings) {
+    return detection(settings, OptionalDouble.empty(), Optional.empty());
   }
 
   /**
-   * The detection with the first rule or threshold of these: the one in its name, the one that is
-   * asked for, the scenario's, the default. A threshold that is asked for implies the rule of
-   * thresholds. The threshold of a scenario that names a detection applies to that detection only.
+   * The detection with its rule and threshold, each from the first of these that has one: its name,
+   * the user's settings, the scenario, the default. A threshold in the settings implies the rule of
+   * thresholds. If a scenario names a detection, its threshold applies to that detection only.
    *
    * @throws InputException when both a threshold and a rule of chance are asked for
    */
-  public Detection detection(Settings asked, Scenario scenario) {
+  public Detection detection(Settings settings, Scenario scenario) {
     boolean replacesDetection =
         scenario.find(Scenario.DETECTION).isPresent()
-            && asked.source(Setting.DETECTION, scenario) == SettingSource.OPTION;
+            && settings.source(Setting.DETECTION, scenario) == SettingSource.OPTION;
     OptionalDouble threshold = replacesDetection ? OptionalDouble.empty() : scenario.threshold();
-    return detection(asked, threshold, scenario.detect());
+    return detection(settings, threshold, scenario.detect());
   }
 
   Detection detection(
-      Settings asked, OptionalDouble thresholdOfScenario, Optional<DetectionRule> ruleOfScenario) {
-    Optional<Double> askedThreshold = asked.asked(Setting.THRESHOLD).map(Threshold::parse);
+      Settings settings,
+      OptionalDouble thresholdOfScenario,
+      Optional<DetectionRule> ruleOfScenario) {
+    Optional<Double> askedThreshold = settings.asked(Setting.THRESHOLD).map(Threshold::parse);
     DetectionRule used =
-        rule(askedThreshold, asked.asked(Setting.DETECT).map(DetectionRule::parse))
+        rule(askedThreshold, settings.asked(Setting.DETECT).map(DetectionRule::parse))
             .or(() -> ruleOfScenario)
             .orElseGet(model::defaultRule);
     if (!used.certain()) {

@@ -30,15 +30,16 @@ public record Estimate(double mean, double low, double high) {
   private static final double LEVEL = 0.95;
 
   /**
-   * The longer side of an interval by Student's, at most. One outlier of ten seeds would make it
-   * three times as long, beyond all seeds; this keeps the coverage of exponential scores at 93 %.
+   * The most by which the longer side of an interval may exceed that of Student's interval. One
+   * outlier among ten seeds would otherwise make it three times as long, beyond the values of all
+   * seeds; with this limit, intervals of exponential scores still cover 93 % of the means.
    */
   private static final double LONGEST_SIDE = 1.75;
 
   /** Below this, rounding would change an interval more than the skewness does. */
   private static final double NO_SKEWNESS = 1e-6;
 
-  /** The minus of a number that is 0 in the printed digits. */
+  /** The minus sign of a number that is printed as 0. */
   private static final Pattern MINUS_OF_ZERO = Pattern.compile("-(?=0(\\.0*)?(?![.\\d]))");
 
   /**
@@ -84,7 +85,7 @@ public record Estimate(double mean, double low, double high) {
    * that of new seeds by the factor (n - 1) / n; it is corrected, so that a mean gets nearly the
    * same interval as without a bootstrap.
    *
-   * @param drawn without NaN; if it is empty, there is no interval
+   * @param drawn the values of the draws, none of them NaN; if empty, there is no interval
    * @param seeds the number of seeds in all groups
    * @param groups the number of groups, within each of which seeds were drawn
    */
@@ -156,7 +157,7 @@ public record Estimate(double mean, double low, double high) {
     return new Estimate(mean + known, low + known, high + known);
   }
 
-  /** Whether there were several seeds and all gave this value. */
+  /** Whether there were several seeds, and all of them gave this value. */
   public boolean isTheSameInEverySeed() {
     return low == mean && high == mean;
   }

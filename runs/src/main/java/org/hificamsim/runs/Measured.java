@@ -17,16 +17,16 @@ import org.hificamsim.core.policy.ZoomPolicy;
  *
  * @param traffic the traffic between the cameras
  * @param network the sums of the cameras' cooperation
- * @param energy that the cameras took
+ * @param energy the energy that the cameras took
  * @param proof the proof of the policy; empty if it does not claim to be the best
  * @param expectedGap the most that the least expected coverage could gain, summed over the steps;
  *     NaN if it is not known
  * @param zones the shares of the zones that are seen as they demand
- * @param following how the cameras followed targets
+ * @param following the measures of how the cameras followed targets
  * @param identitySwitches the identity switches of the policy; NaN if it makes none or they are not
  *     measured
- * @param reachableGap how far the score is at most from what cameras could reach in time; NaN if
- *     the policy does not bound that
+ * @param reachableGap the most by which cameras whose moves take time could have exceeded the
+ *     score; NaN if the policy does not bound it
  */
 public record Measured(
     RunCoverage coverage,
@@ -41,11 +41,11 @@ public record Measured(
     double identitySwitches,
     double reachableGap) {
   /**
-   * What is seen of zones as they demand.
+   * The shares of zones that are seen as the zones demand.
    *
-   * @param met the share of all zones; NaN without zones
-   * @param least the share of the zone with the least; NaN without zones
-   * @param shares by name of a zone
+   * @param met the share over all zones; NaN without zones
+   * @param least the share of the zone with the smallest share; NaN without zones
+   * @param shares the share of each zone, by its name
    */
   public record Zones(double met, double least, Map<String, Double> shares) {
     static final Zones NONE = new Zones(Double.NaN, Double.NaN, Map.of());
@@ -73,7 +73,7 @@ public record Measured(
         policy instanceof BoundedZoomPolicy bounded ? bounded.reachableGap() : Double.NaN);
   }
 
-  /** The sums of a repeat that another program ran. */
+  /** Creates the sums of a repeat that another program ran. */
   public Measured(
       RunCoverage coverage,
       Objective objective,
@@ -94,10 +94,10 @@ public record Measured(
         Double.NaN);
   }
 
-  /** Handovers by the network's own meaning, where there is one. */
+  /** The handovers as the network counts them; without a network, those of following. */
   double handovers() {
-    double ofNetwork = network.counted(network.handovers());
-    return Double.isNaN(ofNetwork) ? following.handovers() : ofNetwork;
+    double networkHandovers = network.counted(network.handovers());
+    return Double.isNaN(networkHandovers) ? following.handovers() : networkHandovers;
   }
 
   /** The number of steps that are not proven; NaN if the policy claims nothing. */

@@ -77,19 +77,21 @@ public enum Metric {
       compared(ScoreComparison::settling)),
   UNPROVEN_STEPS(
       "steps",
-      "`optimal` and `one-hop` alone: those whose search ended without a proof",
+      "`optimal` and `one-hop` alone: steps whose search ended without a proof",
       measured(Measured::unprovenSteps)),
   PERFORMANCE_BOUND(
       "cameras x steps",
-      "of the same: what the performance could have been at most",
+      "`optimal` and `one-hop` alone: the most that the performance could have been",
       measured(run -> run.objective().hasOwnFigure() ? Double.NaN : run.bound())),
   SCORE_BOUND(
       "that of `score`",
-      "the same of the score, under another objective than `kmin`",
+      "`optimal` and `one-hop` under another objective than `kmin` alone: the most that the score"
+          + " could have been",
       measured(run -> run.objective().hasOwnFigure() ? run.bound() : Double.NaN)),
   EXPECTED_PERFORMANCE(
       "cameras x steps",
-      "[by chance](detection.md) alone, as all that are expected: before luck was drawn",
+      "performance, expected before luck is drawn; like all expected metrics, of detections [by"
+          + " chance](detection.md) alone",
       measured(run -> run.coverage().expectedPerformance())),
   EXPECTED_COVERED_0(
       "share of targets",
@@ -135,11 +137,11 @@ public enum Metric {
       "of `optimal`: score over that of `best-fixed`, what changing zooms is worth at most; 1 where"
           + " the optimum never needs to change",
       overBestFixed(true, ScoreComparison::overBestFixed)),
-  BITS("bits", "of these messages", measured(run -> run.traffic().bits())),
+  BITS("bits", "size of all `messages`", measured(run -> run.traffic().bits())),
   MESSAGES_DROPPED(
       "number",
-      "over a [channel](channel.md) that is not perfect alone: those that found no place in the"
-          + " queue of their sender",
+      "over an imperfect [channel](channel.md) alone: messages that were dropped because the queue"
+          + " of their sender was full",
       measured(run -> run.traffic().dropped())),
   PROPORTION_OF_BOUND(
       "share",
@@ -164,7 +166,7 @@ public enum Metric {
       measured(Measured::handovers)),
   OVERLAP(
       "m2 x steps",
-      "of fields of view by CamSim's formula",
+      "overlap of fields of view by CamSim's formula",
       measured(run -> run.network().overlap())),
   CONFIDENCE(
       "",
@@ -172,7 +174,7 @@ public enum Metric {
       measured(run -> run.network().confidence())),
   TRACKED(
       "share x steps",
-      "of targets, that their owner sees",
+      "share of targets that their owner sees, summed over steps",
       measured(run -> run.network().tracked())),
   ZONES_MET(
       "share",
@@ -182,7 +184,7 @@ public enum Metric {
       new Line("zones met", "%.4f", "share")),
   LEAST_ZONE_MET(
       "share",
-      "the same of the zone of which least is met",
+      "`zones_met` of the zone with the smallest share",
       measured(run -> run.zones().least()),
       new Line("least of a zone", "%.4f", "")),
   ENERGY(
@@ -206,7 +208,7 @@ public enum Metric {
       measured(run -> run.energy().coveredUntilFirst())),
   COVERED_UNTIL_HALF(
       "share of targets",
-      "the same until half the batteries were empty",
+      "covered by any camera, over the steps until half the batteries were empty",
       measured(run -> run.energy().coveredUntilHalf())),
   TIME_TO_FIND(
       "steps",
@@ -216,16 +218,16 @@ public enum Metric {
       new Line("found after", "%.4g", "steps")),
   TIME_TO_FIND_AGAIN(
       "steps",
-      "for which a target that was lost is covered by no camera, mean over the losses that ended",
+      "from the loss of a target until a camera covers it again, mean over the losses that ended",
       measured(run -> run.following().stepsToFindAgain()),
       new Line("found again in", "%.4g", "steps")),
   LOSSES(
       "number",
-      "how often no camera covered a target any more that was still there",
+      "how often a target that was still there was no longer covered by any camera",
       measured(run -> run.following().losses())),
   ENDED_LOSSES(
       "number",
-      "those of them after which a camera covered the target again",
+      "losses after which a camera covered the target again",
       measured(run -> run.following().endedLosses())),
   UNBROKEN(
       "share",
@@ -245,7 +247,8 @@ public enum Metric {
       new Line("zoom changes", "%.4f", "per camera and step")),
   PAN_TRAVEL(
       "degrees per camera and step",
-      "how far cameras turned, either way: as far as they came where turning takes time",
+      "how far cameras turned, either way; where turning takes time, only the part that they"
+          + " completed counts",
       measured(run -> run.coverage().moves().meanPanTravel()),
       new Line("pan travel", "%.4g", "degrees per camera and step")),
   ZOOM_TRAVEL(
@@ -270,7 +273,7 @@ public enum Metric {
 
   private static final String EXPECTED = "EXPECTED_";
 
-  /** How a run prints a metric: its title, the format of the number, and a note. */
+  /** A metric as a run prints it: its title, the format of the number, and a note. */
   private record Line(String title, String format, String note) {}
 
   private final String unit;
@@ -290,31 +293,31 @@ public enum Metric {
   }
 
   private static MetricSource measured(ToDoubleFunction<Measured> value) {
-    return new MetricSource.OfRun(value);
+    return new MetricSource.RunAlone(value);
   }
 
   private static MetricSource compared(ToDoubleFunction<ScoreComparison> value) {
-    return new MetricSource.OfComparison(value, (scores, isOptimum) -> true);
+    return new MetricSource.Compared(value, (scores, isOptimum) -> true);
   }
 
-  /** A metric of runs whose comparison has a yardstick: its score is not NaN. */
+  /** Computes a metric of runs whose comparison has a yardstick, the score of which is not NaN. */
   private static MetricSource compared(
       ToDoubleFunction<ScoreComparison> yardstick, ToDoubleFunction<ScoreComparison> value) {
-    return new MetricSource.OfComparison(
+    return new MetricSource.Compared(
         value, (scores, isOptimum) -> !Double.isNaN(yardstick.applyAsDouble(scores)));
   }
 
   private static MetricSource overBestFixed(
-      boolean ofOptimum, ToDoubleFunction<ScoreComparison> value) {
-    return new MetricSource.OfComparison(
-        value, (scores, isOptimum) -> !Double.isNaN(scores.bestFixed()) && isOptimum == ofOptimum);
+      boolean forOptimum, ToDoubleFunction<ScoreComparison> value) {
+    return new MetricSource.Compared(
+        value, (scores, isOptimum) -> !Double.isNaN(scores.bestFixed()) && isOptimum == forOptimum);
   }
 
   /** The values of all metrics that a run has on its own. */
   static EnumMap<Metric, Double> measure(Measured run) {
     EnumMap<Metric, Double> values = new EnumMap<>(Metric.class);
     for (Metric metric : values()) {
-      if (metric.source instanceof MetricSource.OfRun source) {
+      if (metric.source instanceof MetricSource.RunAlone source) {
         double value = source.value().applyAsDouble(run);
         if (!Double.isNaN(value)) {
           values.put(metric, value);
@@ -329,19 +332,19 @@ public enum Metric {
     return Arrays.stream(values()).filter(metric -> metric.isOfRun() && !metric.isClaim()).toList();
   }
 
-  /** Whether a run has the metric on its own; else it needs the yardsticks of a comparison. */
+  /** Whether a run alone has the metric; otherwise it needs the yardsticks of a comparison. */
   boolean isOfRun() {
-    return source instanceof MetricSource.OfRun;
+    return source instanceof MetricSource.RunAlone;
   }
 
   /** Whether a run of a comparison has the metric, perhaps without a value. */
   boolean appliesTo(ScoreComparison scores, boolean isOptimum) {
-    return ((MetricSource.OfComparison) source).applies().test(scores, isOptimum);
+    return ((MetricSource.Compared) source).applies().test(scores, isOptimum);
   }
 
   /** The value from a comparison; NaN if there is none. */
-  double of(ScoreComparison scores) {
-    return ((MetricSource.OfComparison) source).value().applyAsDouble(scores);
+  double valueFrom(ScoreComparison scores) {
+    return ((MetricSource.Compared) source).value().applyAsDouble(scores);
   }
 
   /** Whether the metric says how far the policy's claim to be the best is proven. */

@@ -1,6 +1,6 @@
 package org.hificamsim.runs;
 
-/** The values of a metric that are possible, to which intervals are cut. */
+/** Cuts the intervals of metrics to their possible values. */
 final class MetricRange {
   private MetricRange() {}
 

@@ -3,17 +3,18 @@ package org.hificamsim.runs;
 import java.util.function.BiPredicate;
 import java.util.function.ToDoubleFunction;
 
-/** How a metric is computed. */
+/** The way in which a metric is computed. */
 sealed interface MetricSource {
-  /** A value of the run alone; NaN if the run does not have the metric. */
-  record OfRun(ToDoubleFunction<Measured> value) implements MetricSource {}
+  /** Computes a metric from the run alone; NaN if the run does not have the metric. */
+  record RunAlone(ToDoubleFunction<Measured> value) implements MetricSource {}
 
   /**
-   * From a run and the yardsticks of its comparison.
+   * Computes a metric from a run and the yardsticks of its comparison.
    *
-   * @param applies whether a run has the metric; the flag tells whether its policy is the optimum
+   * @param applies decides whether a run has the metric; the flag is true if the run's policy is
+   *     the optimum
    */
-  record OfComparison(
+  record Compared(
       ToDoubleFunction<ScoreComparison> value, BiPredicate<ScoreComparison, Boolean> applies)
       implements MetricSource {}
 }

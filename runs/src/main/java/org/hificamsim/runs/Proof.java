@@ -7,14 +7,15 @@ import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * What is proven of a run: whether its configurations are the best that its policy could choose.
+ * The proof that a run's configurations are the best that its policy could choose, perhaps with
+ * gaps.
  *
  * @param unprovenSteps the number of steps whose search ended without a proof
  * @param gap the most that the score could gain in those steps
  */
 public record Proof(long unprovenSteps, double gap) {
   /** The proof of no steps. */
-  public static final Proof OF_NOTHING = new Proof(0, 0);
+  public static final Proof NO_STEPS = new Proof(0, 0);
 
   /** The proof of a policy; empty if it does not claim to be the best. */
   public static Optional<Proof> of(ZoomPolicy policy) {
@@ -24,11 +25,11 @@ public record Proof(long unprovenSteps, double gap) {
   }
 
   /**
-   * What is not proven, in words.
+   * Describes the steps that are not proven.
    *
    * @param steps the number of all steps
    */
-  public String missing(long steps, Objective objective) {
+  public String describeUnproven(long steps, Objective objective) {
     return Texts.format(
         "%s of %s steps; their %s might be up to %s higher in sum",
         unprovenSteps,

@@ -33,7 +33,10 @@ public record Reach(double radius, double detected) {
     return of(scenario, detection).stream().mapToDouble(Reach::detected).max().orElse(0);
   }
 
-  /** The reach at each zoom level in words; by chance, that of detections half of the time. */
+  /**
+   * Describes the reach at each zoom level; by chance, the distance to which a target is detected
+   * half of the time.
+   */
   public static String describe(Scenario scenario, Detection detection) {
     List<String> levels =
         of(scenario, detection).stream()
@@ -43,7 +46,7 @@ public record Reach(double radius, double detected) {
     return listed(levels) + " m (a target of " + size + " m)";
   }
 
-  /** A list in words: the first ten texts, and dots for the others. */
+  /** Joins texts by commas: the first ten, and dots for the others. */
   public static String listed(List<String> texts) {
     return texts.size() <= MAX_LISTED
         ? String.join(", ", texts)

@@ -20,7 +20,7 @@ import org.hificamsim.core.world.World;
 public final class RunExecutor {
   private final Catalogue catalogue;
 
-  /** Finds the parts that plans name in this catalogue. */
+  /** Creates an executor that finds the parts that plans name in a catalogue. */
   public RunExecutor(Catalogue catalogue) {
     this.catalogue = catalogue;
   }
@@ -64,7 +64,7 @@ public final class RunExecutor {
     }
   }
 
-  /** Ends what a policy keeps open, such as a program of its own. */
+  /** Closes what a policy keeps open, such as a program of its own. */
   private static void close(ZoomPolicy policy) {
     if (policy instanceof Closeable closeable) {
       Io.run(closeable::close);

@@ -16,8 +16,8 @@ import org.hificamsim.runs.cells.ZoneRecorder;
 /**
  * The listeners that measure a repeat.
  *
- * @param zones null without zones
- * @param following null unless the scenario asks for it
+ * @param zones the recorder of zones; null without zones
+ * @param following the recorder of following; null unless the scenario asks for it
  */
 record RunMeters(RunCoverage coverage, ZoneRecorder zones, TargetFollowing following) {
   /** New meters for a repeat of a plan. */
@@ -60,7 +60,7 @@ record RunMeters(RunCoverage coverage, ZoneRecorder zones, TargetFollowing follo
     return following == null ? FollowingSums.NONE : following.sums();
   }
 
-  /** The mistakes of a policy that tells targets apart by its own tracks; NaN for all others. */
+  /** The identity switches of a policy that keeps its own tracks; NaN for all other policies. */
   double identitySwitches(ZoomPolicy policy) {
     return following != null && policy instanceof TrackingZoomPolicy tracking
         ? tracking.identitySwitches()

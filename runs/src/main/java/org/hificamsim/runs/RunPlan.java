@@ -9,78 +9,78 @@ import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Scenario;
 
 /**
- * A plan of runs: a scenario, a detection, and the {@link Setting settings} that neither of them
- * keeps. Nothing else decides what a run computes.
+ * A plan of runs: a scenario, a detection, and the values of the {@link Setting settings} that are
+ * kept in neither of them. The plan determines all results of its runs.
  *
- * @param scenario with the user's settings in place of those of its file
- * @param own the values of all settings that the plan keeps itself
- * @param sources where settings come from, for people; empty if that is not known
+ * @param scenario the scenario, with the user's settings in place of those of its file
+ * @param keptValues the values of all settings that the plan keeps itself
+ * @param sources the sources of settings, which results tell people; empty if they are not known
  */
 public record RunPlan(
     Scenario scenario,
     Detection detection,
-    Map<Setting, String> own,
+    Map<Setting, String> keptValues,
     Map<Setting, SettingSource> sources) {
-  /** A plan whose sources of settings are not known. */
-  public RunPlan(Scenario scenario, Detection detection, Map<Setting, String> own) {
-    this(scenario, detection, own, Map.of());
+  /** Creates a plan whose sources of settings are not known. */
+  public RunPlan(Scenario scenario, Detection detection, Map<Setting, String> keptValues) {
+    this(scenario, detection, keptValues, Map.of());
   }
 
   /**
-   * A plan with all other settings at their defaults.
+   * Creates a plan with all other settings at their defaults.
    *
-   * @param policy name and options; each repeat makes its own instance
-   * @param steps 0 ({@code camsim} alone) to {@link Scenario#MAX_STEPS}
+   * @param policy the policy's name and options; each repeat makes its own instance
+   * @param steps the number of steps, 1 to {@link Scenario#MAX_STEPS}; 0 in {@code camsim} alone
    * @param seed the seed of the first repeat; repeat i uses seed + i
-   * @param repeats 1 or more
+   * @param repeats the number of repeats, 1 or more
    */
   public RunPlan(
       Scenario scenario, Detection detection, String policy, int steps, long seed, int repeats) {
-    this(scenario, detection, own(policy, steps, seed, repeats));
+    this(scenario, detection, keptValues(policy, steps, seed, repeats));
   }
 
-  private static Map<Setting, String> own(String policy, int steps, long seed, int repeats) {
-    Map<Setting, String> own = new EnumMap<>(Setting.class);
+  private static Map<Setting, String> keptValues(String policy, int steps, long seed, int repeats) {
+    Map<Setting, String> keptValues = new EnumMap<>(Setting.class);
     Arrays.stream(Setting.values())
         .filter(Setting::isKeptByPlan)
-        .forEach(setting -> own.put(setting, setting.fallback()));
-    own.put(Setting.POLICY, policy);
-    own.put(Setting.STEPS, Integer.toString(steps));
-    own.put(Setting.SEED, Long.toString(seed));
-    own.put(Setting.REPEAT, Integer.toString(repeats));
-    return own;
+        .forEach(setting -> keptValues.put(setting, setting.fallback()));
+    keptValues.put(Setting.POLICY, policy);
+    keptValues.put(Setting.STEPS, Integer.toString(steps));
+    keptValues.put(Setting.SEED, Long.toString(seed));
+    keptValues.put(Setting.REPEAT, Integer.toString(repeats));
+    return keptValues;
   }
 
   /** The value of a setting; empty if it does not apply. */
   public Optional<String> value(Setting setting) {
     return setting.isKeptByPlan()
-        ? Optional.of(own.get(setting)).filter(value -> !value.isEmpty())
+        ? Optional.of(keptValues.get(setting)).filter(value -> !value.isEmpty())
         : setting.derivedFrom(scenario, detection);
   }
 
   /** The policy's name and options. */
   public String policy() {
-    return own.get(Setting.POLICY);
+    return keptValues.get(Setting.POLICY);
   }
 
   /** The network of the cameras with its options; empty if each camera works alone. */
   public String network() {
-    return own.get(Setting.NETWORK);
+    return keptValues.get(Setting.NETWORK);
   }
 
   /** The number of steps of each run. */
   public int steps() {
-    return Integer.parseInt(own.get(Setting.STEPS));
+    return Integer.parseInt(keptValues.get(Setting.STEPS));
   }
 
   /** The seed of the first repeat. */
   public long seed() {
-    return Long.parseLong(own.get(Setting.SEED));
+    return Long.parseLong(keptValues.get(Setting.SEED));
   }
 
   /** The number of runs. */
   public int repeats() {
-    return Integer.parseInt(own.get(Setting.REPEAT));
+    return Integer.parseInt(keptValues.get(Setting.REPEAT));
   }
 
   /** The number of steps of all runs together. */
@@ -109,7 +109,7 @@ public record RunPlan(
   }
 
   private RunPlan with(Setting setting, String value) {
-    Map<Setting, String> changed = new EnumMap<>(own);
+    Map<Setting, String> changed = new EnumMap<>(keptValues);
     changed.put(setting, value);
     return new RunPlan(scenario, detection, changed, sources);
   }

@@ -14,8 +14,8 @@ import org.hificamsim.core.Texts;
  * @param values the values of the metrics that the run has on its own
  * @param gap the most that the score could gain in the steps whose configuration is not proven to
  *     be the best
- * @param zoneShares by name of a zone, the share of it that is seen as it demands, the mean over
- *     the steps; empty where results come from a table
+ * @param zoneShares by name of a zone: the share of the zone that is seen as it demands, the mean
+ *     over the steps; empty if the result was read from a table
  */
 public record RunResult(
     int run, long seed, EnumMap<Metric, Double> values, double gap, Map<String, Double> zoneShares)
@@ -47,7 +47,7 @@ public record RunResult(
     return metric.mean(plan, results.stream().mapToDouble(run -> run.value(metric)).toArray());
   }
 
-  /** By name of a zone, the share of it that is seen as it demands, the mean over repeats. */
+  /** By name of a zone: the share of the zone that is seen as it demands, mean over repeats. */
   public static Map<String, Double> zoneShares(List<RunResult> results) {
     Map<String, Double> means = new LinkedHashMap<>();
     for (String zone : results.get(0).zoneShares.keySet()) {
@@ -76,8 +76,8 @@ public record RunResult(
   }
 
   /**
-   * The most that the least expected coverage of a step could have been higher, as a mean; 0 if it
-   * is proven to be the best, or the policy does not claim that.
+   * The most by which the mean of the steps' least expected coverage could have been higher; 0 if
+   * it is proven to be the best, or the policy does not claim that.
    */
   private double expectedGap() {
     double gain = value(Metric.LEAST_EXPECTED_K_BOUND) - value(Metric.LEAST_EXPECTED_K);
@@ -91,9 +91,9 @@ public record RunResult(
     Proof proof =
         results.stream()
             .flatMap(result -> result.proof().stream())
-            .reduce(Proof.OF_NOTHING, Proof::plus);
+            .reduce(Proof.NO_STEPS, Proof::plus);
     return proof.unprovenSteps() > 0
-        ? Optional.of(proof.missing(plan.work(), plan.objective()))
+        ? Optional.of(proof.describeUnproven(plan.work(), plan.objective()))
         : Optional.empty();
   }
 
@@ -106,7 +106,7 @@ public record RunResult(
         : Optional.empty();
   }
 
-  /** The same result with another number: a seed may be any repeat of a plan. */
+  /** The same result with another number: plans may reach the same seed in different repeats. */
   public RunResult asRun(int repeat) {
     return new RunResult(repeat, seed, values, gap, zoneShares);
   }

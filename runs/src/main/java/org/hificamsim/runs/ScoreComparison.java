@@ -1,14 +1,15 @@
 package org.hificamsim.runs;
 
 /**
- * The score of a run next to those of the yardsticks of its comparison: of the same scenario,
+ * Compares the score of a run with the scores of the yardsticks, which have the same scenario,
  * detection model and seed.
  *
  * @param score the score of the run: its performance, unless the objective is another
  * @param optimum the score of the exact optimum of each step; NaN if it was not run
- * @param bound which no score exceeds; NaN if it was not asked for
+ * @param bound a bound that no score exceeds; NaN if it was not asked for
  * @param bestFixed the score of the best configuration that never changes; NaN if it was not run
- * @param reachableBound which no policy exceeds that takes its time; NaN if it was not asked for
+ * @param reachableBound a bound that no policy exceeds if its moves take time; NaN if it was not
+ *     asked for
  * @param settling the steps until the run is within 90% of its final level; NaN if that is 0
  */
 record ScoreComparison(
@@ -18,17 +19,20 @@ record ScoreComparison(
     double bestFixed,
     double reachableBound,
     double settling) {
-  /** Score over that of the optimum; NaN if the optimum is 0. */
+  /** The score divided by that of the optimum; NaN if the latter is 0. */
   double proportionOfOptimal() {
     return optimum == 0 ? Double.NaN : score / optimum;
   }
 
-  /** Score over the bound: at least this share of the optimum's; NaN if the bound is 0. */
+  /**
+   * The score divided by the bound, which is a lower limit of {@link #proportionOfOptimal}; NaN if
+   * the bound is 0.
+   */
   double proportionOfBound() {
     return bound == 0 ? Double.NaN : score / bound;
   }
 
-  /** Score over what cameras could have scored in time at most; NaN if that is 0. */
+  /** The score divided by the reachable bound; NaN if the latter is 0. */
   double proportionOfReachable() {
     return reachableBound == 0 ? Double.NaN : score / reachableBound;
   }
@@ -39,8 +43,8 @@ record ScoreComparison(
   }
 
   /**
-   * Score over that of the best fixed configuration: for the optimum the value of adapting, for
-   * another policy that of learning; NaN if the best fixed score is 0 or unknown.
+   * The score divided by that of the best fixed configuration: the value of adapting for the
+   * optimum, the value of learning for another policy; NaN if the best fixed score is 0 or unknown.
    */
   double overBestFixed() {
     return bestFixed == 0 ? Double.NaN : score / bestFixed;

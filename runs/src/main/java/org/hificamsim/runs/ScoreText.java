@@ -7,7 +7,7 @@ public final class ScoreText {
   private ScoreText() {}
 
   /**
-   * The mean over runs of a plan.
+   * The mean of a step's score over the runs of a plan.
    *
    * @param scores the scores of the runs, each summed over its steps
    */
@@ -22,7 +22,7 @@ public final class ScoreText {
     return score.times(factor).text(isShare ? "%.1f %%" : "%.3f");
   }
 
-  /** The meaning of such a number. */
+  /** The meaning of a score that this class writes. */
   public static String meaning(Objective objective) {
     return objective.words() + (objective.isShare() ? "" : ", mean of the steps");
   }

@@ -192,7 +192,7 @@ public enum Setting {
       "What cameras take and what their batteries hold, such as "
           + EnergyModel.EXAMPLE
           + ", a file with such lines, or none; overrides the scenario's. See docs/energy.md.") {
-    /** The metric of this name stands in the same files. */
+    /** A metric in the same files is called energy. */
     @Override
     public String field() {
       return "energy_model";
@@ -295,12 +295,12 @@ public enum Setting {
     return Arrays.stream(values()).filter(setting -> setting.label().equals(label)).findFirst();
   }
 
-  /** The name in files: the {@link #label}, unless a metric has it. */
+  /** The name in files: the {@link #label}, unless a metric has the same name. */
   public String field() {
     return label();
   }
 
-  /** The name of the argument in Python; the option has {@code -} for {@code _}. */
+  /** The name of the argument in Python; the option has {@code -} in place of {@code _}. */
   public String label() {
     return name().toLowerCase(Locale.ROOT);
   }
@@ -325,7 +325,7 @@ public enum Setting {
     return fallback;
   }
 
-  /** Whether the setting only says which runs there are, and not what each computes. */
+  /** Whether the setting only selects runs, and has no effect on what each of them computes. */
   public boolean countsRuns() {
     return this == SEED || this == REPEAT;
   }
@@ -336,7 +336,7 @@ public enum Setting {
   }
 
   /**
-   * Checks a value; any text is one, unless an attribute or the setting itself knows better.
+   * Checks a value. Any text is valid unless an attribute or the setting itself restricts it.
    *
    * @throws InputException when the setting cannot have it
    */
@@ -347,8 +347,8 @@ public enum Setting {
   }
 
   /**
-   * Whether results say where the value is from: an option, the scenario file or the default. If
-   * so, {@link #inFile} reads it from the file.
+   * Whether results tell the source of the value: an option, the scenario file or the default. If
+   * so, {@link #inFile} reads the value from the file.
    */
   boolean mayComeFromFile() {
     return false;

@@ -20,7 +20,7 @@ final class Threshold {
   /**
    * A threshold that is not a setting of its own, such as in {@code hifi:orb-lin@0.05}.
    *
-   * @param name that an error gives it
+   * @param name the name of the threshold in an error
    * @throws InputException when it is not a number from 0 to 1
    */
   static double parse(String name, String text) {
@@ -31,7 +31,7 @@ final class Threshold {
     }
   }
 
-  /** The same threshold, if it is a number from 0 to 1. */
+  /** Returns a threshold after checking that it is a number from 0 to 1. */
   static double require(String name, double threshold) {
     if (!(threshold >= 0 && threshold <= 1)) {
       throw InputException.of("%s is %s, expected a number from 0 to 1", name, threshold);

@@ -39,24 +39,24 @@ class AllocationTest {
   @ParameterizedTest
   @MethodSource("steps")
   void stepAllocatesNothing(String policy, String detection) {
-    assertNothing(policy, detection, RandomField.ofCameras(14, 5).scenario(), 6_000);
+    assertAllocatesNothing(policy, detection, RandomField.ofCameras(14, 5).scenario(), 6_000);
   }
 
   static Stream<String> policies() {
     return steps()
         .map(arguments -> (String) arguments.get()[0])
         .distinct()
-        .filter(name -> !isOfKMin(name));
+        .filter(name -> !needsKMin(name));
   }
 
-  private static boolean isOfKMin(String policy) {
+  private static boolean needsKMin(String policy) {
     return policy.equals("optimal-expected");
   }
 
   /**
-   * Lenses, pillars, people who hide each other, and cameras that take their time. A line of sight
-   * that grazes something to within rounding is decided by long numbers, which take memory; that is
-   * rare: less than 10 bytes a step on average.
+   * The hall has lenses, pillars, people who hide each other, and cameras whose moves take time. A
+   * line of sight that grazes something to within rounding is decided by numbers of any length,
+   * which take memory; that is rare: less than 10 bytes a step on average.
    */
   @ParameterizedTest
   @MethodSource("policies")
@@ -71,13 +71,14 @@ class AllocationTest {
   @Test
   void stepOfBigNetworkAllocatesNothing() {
     Scenario big = RandomField.ofCameras(200, 5).scenario();
-    assertNothing("epsilon-greedy", "hifi:orb-lin", big, 500);
-    assertNothing("sarsa", "camsim-visibility", big, 500);
+    assertAllocatesNothing("epsilon-greedy", "hifi:orb-lin", big, 500);
+    assertAllocatesNothing("sarsa", "camsim-visibility", big, 500);
     Scenario bigger = new RandomField(600, 100, RandomField.CLUSTER_AREA, 5).scenario();
-    assertNothing("qb-sarsa", "hifi:orb-lin", bigger, 500);
+    assertAllocatesNothing("qb-sarsa", "hifi:orb-lin", bigger, 500);
   }
 
-  private static void assertNothing(String policy, String detection, Scenario scenario, int steps) {
+  private static void assertAllocatesNothing(
+      String policy, String detection, Scenario scenario, int steps) {
     assertEquals(0, bytes(policy, detection, scenario, steps), "in " + steps + " steps");
   }
 

@@ -28,8 +28,8 @@ class DetectionSpecTest {
     "hifi:orb-lin@1, , 0.3, 1",
   })
   void usesFirstThresholdInOrderOfPrecedence(
-      String detection, Double asked, Double ofScenario, double expected) {
-    assertEquals(expected, detection(detection, asked, ofScenario).threshold());
+      String detection, Double asked, Double scenarioValue, double expected) {
+    assertEquals(expected, detection(detection, asked, scenarioValue).threshold());
   }
 
   @ParameterizedTest
@@ -64,24 +64,24 @@ class DetectionSpecTest {
   @Test
   void rejectsThresholdOutOfRange() {
     for (double threshold : new double[] {-0.1, 1.1, Double.NaN}) {
-      assertThrows(InputException.class, () -> asked(threshold, null), "no fault");
+      assertThrows(InputException.class, () -> settings(threshold, null), "no fault");
     }
   }
 
-  private static Detection detection(String text, Double asked, Double ofScenario) {
+  private static Detection detection(String text, Double asked, Double scenarioValue) {
     return DetectionSpec.parse(text, CATALOGUE::detection)
         .detection(
-            asked(asked, null),
-            ofScenario == null ? OptionalDouble.empty() : OptionalDouble.of(ofScenario),
+            settings(asked, null),
+            scenarioValue == null ? OptionalDouble.empty() : OptionalDouble.of(scenarioValue),
             Optional.empty());
   }
 
-  private static Settings asked(Double threshold, String rule) {
-    Settings asked = Settings.NONE;
+  private static Settings settings(Double threshold, String rule) {
+    Settings settings = Settings.NONE;
     if (threshold != null) {
-      asked = asked.with(Setting.THRESHOLD, threshold.toString());
+      settings = settings.with(Setting.THRESHOLD, threshold.toString());
     }
-    return rule == null ? asked : asked.with(Setting.DETECT, rule);
+    return rule == null ? settings : settings.with(Setting.DETECT, rule);
   }
 
   @ParameterizedTest
@@ -99,12 +99,12 @@ class DetectionSpecTest {
         "camsim-range@probability | | | probability | camsim-range@probability",
       })
   void usesFirstRuleInOrderOfPrecedence(
-      String detection, String asked, String ofScenario, String rule, String name) {
-    Detection made =
+      String detection, String asked, String scenarioValue, String rule, String name) {
+    Detection actual =
         DetectionSpec.parse(detection, CATALOGUE::detection)
-            .detection(asked(null, asked), OptionalDouble.empty(), rule(ofScenario));
-    assertEquals(rule, made.rule().text());
-    assertEquals(name, made.name());
+            .detection(settings(null, asked), OptionalDouble.empty(), rule(scenarioValue));
+    assertEquals(rule, actual.rule().text());
+    assertEquals(name, actual.name());
   }
 
   @ParameterizedTest
@@ -115,12 +115,12 @@ class DetectionSpecTest {
     "hifi:orb-lin@0.3, 0.4, chance, , 0.3",
   })
   void thresholdOverridesRuleOfLowerPrecedence(
-      String detection, Double asked, String rule, String ofScenario, double expected) {
-    Detection made =
+      String detection, Double asked, String rule, String scenarioValue, double expected) {
+    Detection actual =
         DetectionSpec.parse(detection, CATALOGUE::detection)
-            .detection(asked(asked, rule), OptionalDouble.empty(), rule(ofScenario));
-    assertTrue(made.certain());
-    assertEquals(expected, made.threshold());
+            .detection(settings(asked, rule), OptionalDouble.empty(), rule(scenarioValue));
+    assertTrue(actual.certain());
+    assertEquals(expected, actual.threshold());
   }
 
   @ParameterizedTest
@@ -138,7 +138,7 @@ class DetectionSpecTest {
             InputException.class,
             () ->
                 DetectionSpec.parse(detection, CATALOGUE::detection)
-                    .detection(asked(threshold, "chance")));
+                    .detection(settings(threshold, "chance")));
     assertTrue(fault.getMessage().startsWith(expected), fault.getMessage());
   }
 

@@ -58,7 +58,7 @@ class ReachableRunTest {
         "street",
         "passage"
       })
-  void runScoresWhatThePlanDoes(String site) {
+  void runReachesScoreOfPlan(String site) {
     RunPlan plan = plan(site, "reachable", 40);
     ReachableZoomPolicy policy = reachable();
     RunResult result = executor.repeat(plan, 0, policy, List.of());
@@ -68,17 +68,17 @@ class ReachableRunTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"campus", "car-park", "street", "passage"})
-  void pricesLowerBoundBelowJumpingOptimum(String site) {
+  void boundIsTighterThanOptimumWithoutMovingTime(String site) {
     RunPlan plan = plan(site, "reachable:iterations=100", 60);
     RunResult reached = run(plan);
-    double jumping = run(plan(site, "optimal", 60)).score();
+    double withoutMovingTime = run(plan(site, "optimal", 60)).score();
     double gap = reached.value(Metric.REACHABLE_BOUND) - reached.score();
-    assertTrue(gap <= 0.9 * (jumping - reached.score()), gap + " to " + reached.score());
+    assertTrue(gap <= 0.9 * (withoutMovingTime - reached.score()), gap + " to " + reached.score());
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"cooperative", "tracker", "patrol", "independent-greedy", "one-hop"})
-  void noPolicyThatTakesItsTimeExceedsTheBound(String policy) {
+  void boundsPoliciesWhoseMovesTakeTime(String policy) {
     for (String site : List.of("campus", "corridor", "border")) {
       double bound = run(plan(site, "reachable:iterations=20", 40)).value(Metric.REACHABLE_BOUND);
       assertTrue(run(plan(site, policy, 40)).score() <= bound + ROUNDING, site);
@@ -86,7 +86,7 @@ class ReachableRunTest {
   }
 
   @Test
-  void equalsTheOptimumWhereNoMoveTakesTime() {
+  void equalsOptimumIfMovesTakeNoTime() {
     RunResult optimal = run(plan("ring-random", "optimal", 60));
     RunResult reachable = run(plan("ring-random", "reachable", 60));
     assertEquals(optimal.score(), reachable.score());

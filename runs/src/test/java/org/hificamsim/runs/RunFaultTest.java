@@ -22,7 +22,7 @@ class RunFaultTest {
       Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "ring-random.xml");
 
   @Test
-  void namesRunStepClassAndLine() {
+  void messageNamesRunStepClassAndLine() {
     RunFault fault =
         assertThrows(
             RunFault.class,
@@ -37,7 +37,7 @@ class RunFaultTest {
   }
 
   @Test
-  void keepsMessagesForUsers() {
+  void passesOnFaultsOfInputAndFiles() {
     InputException wrong = new InputException("wrong");
     assertEquals(wrong, assertThrows(InputException.class, () -> run(throwing(wrong))));
     UncheckedIOException full = new UncheckedIOException(new IOException("disk full"));

@@ -53,7 +53,7 @@ final class Run {
   /** The traffic of policies that were replaced. */
   private Traffic earlierTraffic = Traffic.NONE;
 
-  private Proof earlierProof = Proof.OF_NOTHING;
+  private Proof earlierProof = Proof.NO_STEPS;
   private long step;
   private boolean prepared;
 

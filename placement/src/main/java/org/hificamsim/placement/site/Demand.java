@@ -184,7 +184,7 @@ public record Demand(
     int[] points = new int[own.count()];
     Arrays.fill(points, -1);
     for (int number = zone.first(); number < zone.end(); number++) {
-      points[own.at(this.points.get(number).x(), this.points.get(number).y())] = number;
+      points[own.cellAt(this.points.get(number).x(), this.points.get(number).y())] = number;
     }
     if (grid.equals(own)) {
       return points;
@@ -202,10 +202,11 @@ public record Demand(
 
   /** The point in a cell or, if it has none, the nearest one in the cells around it; else -1. */
   private int pointNear(double x, double y, FieldCells cells, int[] pointsByCell) {
-    int nearest = pointsByCell[cells.at(x, y)];
+    int nearest = pointsByCell[cells.cellAt(x, y)];
     double least = nearest < 0 ? Double.POSITIVE_INFINITY : 0;
     for (int side = 0; side < 9 && least > 0; side++) {
-      int cell = cells.at(x + (side % 3 - 1) * cells.width(), y + (side / 3 - 1) * cells.height());
+      int cell =
+          cells.cellAt(x + (side % 3 - 1) * cells.width(), y + (side / 3 - 1) * cells.height());
       double distance =
           cell < 0 ? Double.POSITIVE_INFINITY : Math.hypot(cells.x(cell) - x, cells.y(cell) - y);
       if (distance < least && pointsByCell[cell] >= 0) {

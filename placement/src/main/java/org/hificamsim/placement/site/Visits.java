@@ -23,7 +23,8 @@ public final class Visits {
       world.fireEvents(step);
       for (int target = 0; target < world.targets().count(); target++) {
         boolean present = world.targets().present(target);
-        int cell = present ? cells.at(world.targets().x(target), world.targets().y(target)) : -1;
+        int cell =
+            present ? cells.cellAt(world.targets().x(target), world.targets().y(target)) : -1;
         if (cell >= 0) {
           visits[cell]++;
         }

@@ -69,9 +69,9 @@ class DemandTest {
     FieldCells finest = demand.finestCells();
     int[] points = demand.pointsByCell(demand.zones().get(1), finest);
     for (double y = 3.05; y < 9; y += 0.1) {
-      assertTrue(points[finest.at(4.95, y)] >= 0 && points[finest.at(5.85, y)] >= 0, "" + y);
+      assertTrue(points[finest.cellAt(4.95, y)] >= 0 && points[finest.cellAt(5.85, y)] >= 0, "" + y);
     }
     int[] ofTill = demand.pointsByCell(demand.zones().get(0), finest);
-    assertEquals(-1, ofTill[finest.at(5, 1)]);
+    assertEquals(-1, ofTill[finest.cellAt(5, 1)]);
   }
 }

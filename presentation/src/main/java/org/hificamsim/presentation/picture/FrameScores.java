@@ -28,7 +28,7 @@ public record FrameScores(Objective objective, Map<Long, Double> byStep, double 
     }
     int steps = summary.path("steps").asInt();
     Map<Long, Double> byStep = new HashMap<>();
-    StepRow.each(
+    StepRow.forEachRow(
         folder,
         row -> {
           if (row.run() == run.run()) {

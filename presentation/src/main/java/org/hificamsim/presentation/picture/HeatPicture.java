@@ -41,7 +41,7 @@ public final class HeatPicture implements Paintable {
     this.map = map;
     this.figure = figure;
     this.repeats = repeats;
-    this.values = map.places().stream().mapToDouble(figure::of).toArray();
+    this.values = map.places().stream().mapToDouble(figure::figureOf).toArray();
     this.end = figure.end(map);
   }
 

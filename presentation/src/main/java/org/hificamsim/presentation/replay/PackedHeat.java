@@ -88,7 +88,7 @@ public record PackedHeat(
     Scale scale = new Scale(PER_UNIT);
     for (HeatFigure figure : HeatFigure.values()) {
       Series.write(
-          out, map.places().stream().mapToLong(cell -> scale.packOptional(figure.of(cell))));
+          out, map.places().stream().mapToLong(cell -> scale.packOptional(figure.figureOf(cell))));
     }
   }
 }

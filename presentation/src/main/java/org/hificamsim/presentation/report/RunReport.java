@@ -120,7 +120,7 @@ final class RunReport {
       run.frames().forEach(frame -> missing.add(run.run() + "," + frame.step()));
     }
     Path file =
-        StepRow.each(
+        StepRow.forEachRow(
             folder,
             row -> {
               if (missing.remove(row.run() + "," + row.step())) {

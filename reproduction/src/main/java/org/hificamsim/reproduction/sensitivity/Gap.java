@@ -101,7 +101,7 @@ record Gap(
   }
 
   private static double mean(List<Ratio> ratios, int[] seeds) {
-    return ratios.stream().mapToDouble(ratio -> ratio.at(seeds)).average().orElseThrow();
+    return ratios.stream().mapToDouble(ratio -> ratio.ofSeeds(seeds)).average().orElseThrow();
   }
 
   private static List<Ratio> ratios(

@@ -59,7 +59,7 @@ public final class Benchmark {
   /**
    * A task.
    *
-   * @param name with or without {@code bench/}
+   * @param name the name of the task, with or without {@code bench/}
    * @throws InputException when there is no task of this name
    */
   public BenchmarkTask task(String name) {
@@ -100,7 +100,7 @@ public final class Benchmark {
   }
 
   /**
-   * Rejects a task whose declaration, scale or site is not that of its hash.
+   * Rejects a task whose declaration, scale or site does not match its hash.
    *
    * @param name the name of the task
    */

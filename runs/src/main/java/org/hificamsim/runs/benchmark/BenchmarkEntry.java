@@ -31,8 +31,8 @@ import org.hificamsim.runs.output.PolicyFiles;
  * RecordedActions actions} for each task.
  *
  * @param version the version of the simulator
- * @param name on the leaderboard
- * @param policy with its options
+ * @param name the name on the leaderboard
+ * @param policy the policy with its options
  * @param files the SHA-256 of each file that the policy reads, by file name
  * @param tasks the results by the names of the tasks
  */
@@ -91,10 +91,10 @@ public record BenchmarkEntry(
   /**
    * A policy that is to be entered.
    *
-   * @param name on the leaderboard
-   * @param policy with its options; {@code {task}} stands for the task of an episode, and {@code
-   *     {seed}} for its seed where recorded actions are played
-   * @param tasks that it plays
+   * @param name the name on the leaderboard
+   * @param policy the policy with its options; {@code {task}} stands for the task of an episode,
+   *     and {@code {seed}} for its seed if recorded actions are played
+   * @param tasks the names of the tasks that it plays
    */
   public record Application(String name, String policy, List<String> tasks) {
     /** Rejects a name that cannot be shown, and a policy that knows the seeds. */
@@ -110,7 +110,7 @@ public record BenchmarkEntry(
   /**
    * Plays the testing episodes of an application, and adds the entry to a folder's files.
    *
-   * @param threads that share the episodes, 1 or more
+   * @param threads the number of threads that share the episodes, 1 or more
    */
   public static BenchmarkEntry play(
       Benchmark benchmark,
@@ -171,7 +171,7 @@ public record BenchmarkEntry(
     return plans;
   }
 
-  /** Leaves out the path of actions that are played: the entry records the same actions. */
+  /** Omits the path of recorded actions: the entry contains the same actions. */
   private static String withoutPath(String policy) {
     return isPlayed(policy) ? PLAYED : policy;
   }
@@ -181,7 +181,7 @@ public record BenchmarkEntry(
     return policy.split(":", 2)[0].equals(PLAYED);
   }
 
-  /** Whether a policy is another one for each seed. */
+  /** Whether a policy's options depend on the seed of the episode. */
   static boolean knowsSeeds(String policy) {
     return policy.contains(SEED);
   }
@@ -250,8 +250,8 @@ public record BenchmarkEntry(
   }
 
   /**
-   * Rejects a link, and what is no file: an entry is the content of its folder. A missing file is
-   * left to its reader.
+   * Rejects links and folders, since an entry consists of the files in its folder. A missing file
+   * passes: its reader reports it.
    */
   static void requireRegular(Path file) {
     if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)

@@ -21,13 +21,14 @@ import org.hificamsim.runs.generate.SiteLayout;
  * A frozen task as its file declares it, with the scale of its scores. A changed task is a new one,
  * with the next version in its name.
  *
- * @param scenario a file next to that of the tasks
+ * @param scenario the file of the site, next to the file of the tasks
  * @param steps the number of steps of an episode
  * @param unmapped the obstacles that the cameras' map lacks, by their index in the scenario
  * @param hash the hash of the whole task: see {@link #digest}
- * @param zoomOut the mean score of a step of {@code zoom-out} in each testing episode: the scale's
- *     0
- * @param best that of the optimum, or of a bound on it where it is not proven: the scale's 1
+ * @param zoomOut for each testing episode the mean score of a step under {@code zoom-out}, which is
+ *     0 on the scale
+ * @param best for each testing episode the mean score of a step under the optimum, or under a bound
+ *     on it if it is not proven, which is 1 on the scale
  * @param proven for each testing episode whether the optimum is proven in every step
  */
 public record BenchmarkTask(
@@ -103,7 +104,7 @@ public record BenchmarkTask(
     return Sha256.of((declared + "\n" + layouts).getBytes(StandardCharsets.UTF_8));
   }
 
-  /** A score on the mean scale of all testing episodes, for an episode without a scale. */
+  /** Normalises the score of an episode without a scale, by the mean scale of testing episodes. */
   double scaled(double score) {
     return (score - mean(zoomOut)) / (mean(best) - mean(zoomOut));
   }
@@ -112,7 +113,7 @@ public record BenchmarkTask(
     return values.stream().mapToDouble(value -> value).average().orElse(0);
   }
 
-  /** A score on the scale from 0, that of zoom-out, to 1, the best possible one. */
+  /** Normalises a score: 0 is the score of zoom-out, 1 the best possible score. */
   double normalized(int episode, double score) {
     double lowest = zoomOut.get(episode);
     return (score - lowest) / (best.get(episode) - lowest);

@@ -5,15 +5,15 @@ import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.StatUtils;
 
 /**
- * How much higher claimed scores are than fresh ones of the same policy, with a standard error
- * (Welch 1947: the two have variances of their own).
+ * The difference between the claimed scores and the fresh scores of a policy, with its standard
+ * error (Welch 1947: claimed and fresh scores may have different variances).
  *
- * @param difference claimed minus fresh mean
+ * @param difference the claimed mean minus the fresh mean
  * @param error the standard error of the difference
  * @param freedom the degrees of freedom, 1 or more
  */
 record Claim(double difference, double error, int freedom) {
-  /** Compares scores. */
+  /** Compares the claimed scores of a task with fresh ones. */
   static Claim of(double[] claimed, double[] fresh) {
     double variance =
         StatUtils.variance(claimed) / claimed.length + StatUtils.variance(fresh) / fresh.length;
@@ -23,7 +23,7 @@ record Claim(double difference, double error, int freedom) {
         Math.max(1, claimed.length + fresh.length - 2));
   }
 
-  /** The mean of claims that do not depend on each other. */
+  /** The mean of independent claims. */
   static Claim mean(Collection<Claim> claims) {
     double count = claims.size();
     return new Claim(
@@ -35,7 +35,7 @@ record Claim(double difference, double error, int freedom) {
   /**
    * Half the width of the interval of the difference.
    *
-   * @param alpha how likely chance alone makes a greater one, in (0, 1)
+   * @param alpha the probability that chance alone makes a greater difference, in (0, 1)
    */
   double margin(double alpha) {
     return error * new TDistribution(freedom).inverseCumulativeProbability(1 - alpha / 2);

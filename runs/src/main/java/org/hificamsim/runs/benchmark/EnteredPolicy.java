@@ -17,7 +17,7 @@ final class EnteredPolicy {
   /** The prefix of the copies of a policy's files. */
   static final String PREFIX = "policy-";
 
-  private static final String BETWEEN_PARTS = "(?<=[:,=])|(?=[:,=])";
+  private static final String PART_BOUNDARY = "(?<=[:,=])|(?=[:,=])";
 
   private final Path folder;
   private final BenchmarkEntry entry;
@@ -43,14 +43,14 @@ final class EnteredPolicy {
       throw InputException.of(
           "%s: %s is a bound, expected a policy that cameras can run", folder, entry.policy());
     }
-    entry.files().forEach(this::requireSame);
-    entry.tasks().keySet().forEach(task -> requireOwn(benchmark, of(task)));
+    entry.files().forEach(this::requireUnchanged);
+    entry.tasks().keySet().forEach(task -> requirePlayable(benchmark, forTask(task)));
   }
 
-  /** Rejects a policy that plays what no camera can, or reads what does not lie in the folder. */
-  private void requireOwn(Benchmark benchmark, String policy) {
-    ZoomPolicy made = benchmark.catalogue().policies().create(policy);
-    if (made instanceof OraclePolicy || made.jumps()) {
+  /** Rejects a policy that no camera can run, or that reads files outside the entry's folder. */
+  private void requirePlayable(Benchmark benchmark, String policy) {
+    ZoomPolicy instance = benchmark.catalogue().policies().create(policy);
+    if (instance instanceof OraclePolicy || instance.jumps()) {
       throw InputException.of("%s: %s, expected a policy that cameras can run", folder, policy);
     }
     for (Path file : new PolicyFiles().of(policy)) {
@@ -61,7 +61,7 @@ final class EnteredPolicy {
     }
   }
 
-  private void requireSame(String name, String hash) {
+  private void requireUnchanged(String name, String hash) {
     Path file = folder.resolve(PREFIX + name);
     BenchmarkEntry.requireRegular(file);
     if (name.contains("/") || name.contains("\\") || !Files.isRegularFile(file)) {
@@ -74,9 +74,9 @@ final class EnteredPolicy {
   }
 
   /** The policy for a task, with its options. */
-  String of(String task) {
+  String forTask(String task) {
     Map<String, String> files = entry.files();
-    return Arrays.stream(entry.policy().replace("{task}", task).split(BETWEEN_PARTS))
+    return Arrays.stream(entry.policy().replace("{task}", task).split(PART_BOUNDARY))
         .map(part -> files.containsKey(name(part)) ? copy(name(part)) : part)
         .collect(Collectors.joining());
   }

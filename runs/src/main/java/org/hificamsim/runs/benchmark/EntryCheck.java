@@ -21,7 +21,7 @@ public final class EntryCheck {
   private final int threads;
 
   /**
-   * @param threads that share the episodes, 1 or more
+   * @param threads the number of threads that share the episodes, 1 or more
    */
   public EntryCheck(Benchmark benchmark, int threads) {
     this.benchmark = benchmark;
@@ -33,7 +33,7 @@ public final class EntryCheck {
    *
    * @param scores the scores of all episodes of the task
    * @param number the number of the episode, from 0
-   * @param views that each camera had chosen, by step
+   * @param views by step the view that each camera had chosen
    * @param file the file of the actions
    */
   private record RecordedEpisode(
@@ -95,9 +95,9 @@ public final class EntryCheck {
     return recorded;
   }
 
-  private static void require(Object where, String what, Object found, Object expected) {
+  private static void require(Object where, String property, Object found, Object expected) {
     if (!found.equals(expected)) {
-      throw InputException.of("%s: %s %s, expected %s", where, what, found, expected);
+      throw InputException.of("%s: %s %s, expected %s", where, property, found, expected);
     }
   }
 }

@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 
-/** Names of entries: which are refused, and which look alike. */
+/** Checks the names of entries, and finds names that look alike. */
 final class EntryName {
   private static final int MAX_LENGTH = 80;
 
@@ -22,13 +22,13 @@ final class EntryName {
           UnicodeScript.HANGUL,
           UnicodeScript.BOPOMOFO);
 
-  /** Characters, and below them those that they look like. */
-  private static final String LIKE =
+  /** Characters that look like the ones at the same index of {@link #LATIN}. */
+  private static final String LOOKALIKES =
       "\u0430\u0432\u0435\u043a\u043c\u043d\u043e\u0440\u0441\u0442\u0443\u0445\u0455\u0456\u0458"
           + "\u0501\u051b\u051d\u04bb\u0433\u03b1\u03b5\u03b9\u03ba\u03bd\u03bf\u03c1\u03c4\u03c5"
           + "\u03c7\u03b2\u03b6\u03b7\u03bc\u03b3\u0131i1|0";
 
-  private static final String PLAIN = "abekmhopctyxsljdqwhraelkvoptyxbznmyllllo";
+  private static final String LATIN = "abekmhopctyxsljdqwhraelkvoptyxbznmyllllo";
 
   private EntryName() {}
 
@@ -60,11 +60,11 @@ final class EntryName {
     return scripts;
   }
 
-  /** Rejects a text with characters that are not shown, or that change how others are shown. */
-  static void requireVisible(String what, String text) {
+  /** Rejects a text with characters that are invisible, or that change how others are shown. */
+  static void requireVisible(String property, String text) {
     if (text.codePoints().anyMatch(EntryName::isInvisible)) {
       throw InputException.of(
-          "%s has an invisible character, such as a line feed, expected none", what);
+          "%s has an invisible character, such as a line feed, expected none", property);
     }
   }
 
@@ -83,15 +83,15 @@ final class EntryName {
   }
 
   /**
-   * The same text for names that look alike: without case, accents and blanks, and with each letter
-   * replaced by the Latin one that it looks like.
+   * Returns the skeleton of a name, which is equal for names that look alike: it is in lower case,
+   * without accents and blanks, and with each letter replaced by the Latin one that it looks like.
    */
   static String skeleton(String name) {
     return Normalizer.normalize(name, Normalizer.Form.NFKD)
         .toLowerCase(Locale.ROOT)
         .codePoints()
         .filter(character -> !isMark(character) && !Character.isWhitespace(character))
-        .map(EntryName::plain)
+        .map(EntryName::latin)
         .mapToObj(Character::toString)
         .collect(Collectors.joining());
   }
@@ -101,8 +101,8 @@ final class EntryName {
     return type == Character.NON_SPACING_MARK || type == Character.ENCLOSING_MARK;
   }
 
-  private static int plain(int character) {
-    int place = LIKE.indexOf(character);
-    return place < 0 ? character : PLAIN.charAt(place);
+  private static int latin(int character) {
+    int index = LOOKALIKES.indexOf(character);
+    return index < 0 ? character : LATIN.charAt(index);
   }
 }

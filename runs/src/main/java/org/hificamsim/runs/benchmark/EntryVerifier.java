@@ -29,10 +29,10 @@ public final class EntryVerifier {
   private final int threads;
 
   /**
-   * @param secret from which fresh seeds are drawn
+   * @param secret the secret from which fresh seeds are drawn
    * @param episodes the number of fresh episodes of each task, 2 or more
    * @param limits the limits of what a policy may take
-   * @param threads that share the tasks, 1 or more
+   * @param threads the number of threads that share the tasks, 1 or more
    */
   public EntryVerifier(
       Benchmark benchmark, String secret, int episodes, EpisodeLimits limits, int threads) {
@@ -60,7 +60,7 @@ public final class EntryVerifier {
     List<String> tasks = List.copyOf(entry.tasks().keySet());
     List<List<Double>> scores =
         Parallel.map(
-            tasks, threads, task -> scores(folder, trials(task, policy.of(task)), progress));
+            tasks, threads, task -> scores(folder, trials(task, policy.forTask(task)), progress));
     return verification(entry, Io.get(() -> Sha256.of(file)), scores);
   }
 
@@ -79,7 +79,7 @@ public final class EntryVerifier {
   private List<Trial> trials(String task, String policy) {
     List<Trial> trials = new ArrayList<>();
     BenchmarkTask.TESTING.forEach(seed -> trials.add(new Trial(task, policy, seed, false)));
-    seeds.of(task, episodes).forEach(seed -> trials.add(new Trial(task, policy, seed, true)));
+    seeds.draw(task, episodes).forEach(seed -> trials.add(new Trial(task, policy, seed, true)));
     return trials;
   }
 
@@ -88,9 +88,9 @@ public final class EntryVerifier {
     List<Claim> claims = new ArrayList<>();
     double alpha = ALPHA / entry.tasks().size();
     int testing = BenchmarkTask.TESTING.size();
-    Iterator<List<Double>> ofTask = scores.iterator();
+    Iterator<List<Double>> taskScores = scores.iterator();
     for (String task : entry.tasks().keySet()) {
-      List<Double> played = ofTask.next();
+      List<Double> played = taskScores.next();
       double[] claimed = scaled(task, entry.tasks().get(task).scores());
       double[] fresh = scaled(task, played.subList(testing, played.size()));
       Claim claim = Claim.of(claimed, fresh);

@@ -12,7 +12,7 @@ import org.hificamsim.runs.RunResult;
 /**
  * A played episode.
  *
- * @param views by step the view that each camera had chosen last
+ * @param views by step and camera: the view that the camera had chosen last
  * @param score the mean score of a step
  */
 record Episode(int[][] views, double score) {
@@ -41,7 +41,7 @@ record Episode(int[][] views, double score) {
   /**
    * Plays an episode again with recorded views.
    *
-   * @param where names the episode in errors
+   * @param where the name of the episode in errors
    * @throws InputException when a camera does not have its recorded view
    */
   static Episode replay(Benchmark benchmark, RunPlan plan, int[][] views, String where) {

@@ -17,8 +17,9 @@ import org.hificamsim.core.program.PythonInterpreter;
 import org.hificamsim.core.program.Sandbox;
 
 /**
- * Plays episodes of entered policies in a process of its own, with limits ({@link EpisodeServer}).
- * It is believed which views the policy chose, and nothing else: the score is computed here.
+ * Plays episodes of entered policies in a process of its own with limits ({@link EpisodeServer}).
+ * Only the chosen views are taken from that process; the score is computed here, so that a policy
+ * cannot fake it.
  */
 final class EpisodeProgram implements AutoCloseable {
   private static final int HEAP_SHARE = 4;
@@ -31,7 +32,7 @@ final class EpisodeProgram implements AutoCloseable {
   /**
    * Starts the process.
    *
-   * @param episodes that it will play at most
+   * @param episodes the most episodes that it will play
    * @param entry the folder of the entry
    */
   EpisodeProgram(Benchmark benchmark, EpisodeLimits limits, int episodes, Path entry) {
@@ -55,7 +56,7 @@ final class EpisodeProgram implements AutoCloseable {
     }
   }
 
-  /** The interpreter of Python files; policies of other kinds do without. */
+  /** The interpreter of Python files; empty if there is none, which other policies do not need. */
   private static Optional<PythonInterpreter> python() {
     try {
       return Optional.of(PythonInterpreter.find());
@@ -71,7 +72,7 @@ final class EpisodeProgram implements AutoCloseable {
     command.addAll(List.of("-XX:CompressedClassSpaceSize=64m", "-XX:ReservedCodeCacheSize=64m"));
     command.add("-XX:ErrorFile=/dev/null");
     command.add("-Djava.io.tmpdir=" + folder);
-    // the process does not get this one's environment
+    // the process does not inherit the environment, in which the interpreter would be found
     python.ifPresent(
         found -> command.add("-D" + PythonInterpreter.CALLER + "=" + found.executable()));
     String jars =

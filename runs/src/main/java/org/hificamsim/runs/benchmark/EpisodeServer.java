@@ -11,20 +11,20 @@ import java.nio.file.Path;
 import org.hificamsim.catalogue.Catalogue;
 
 /**
- * Plays episodes in a process of its own: reads {@linkplain Trial trials}, and writes which views
- * the policy chose. The first argument is the file of the tasks.
+ * Plays episodes in a process of its own: reads {@linkplain Trial trials} from the standard input,
+ * and writes the views that the policy chose. The first argument is the file of the tasks.
  */
 final class EpisodeServer {
   private static final int FAILURE = 1;
 
   private EpisodeServer() {}
 
-  /** Plays until the input ends. Any fault ends the process, with one line on its errors. */
+  /** Plays until the input ends. Any fault ends the process with one line on standard error. */
   @SuppressWarnings("CatchAndPrintStackTrace") // the reader of the errors wants their last line
   public static void main(String[] args) {
     DataOutputStream out =
         new DataOutputStream(new BufferedOutputStream(new FileOutputStream(FileDescriptor.out)));
-    System.setOut(System.err); // what policies print is no answer
+    System.setOut(System.err); // keeps the output of policies apart from the views
     try {
       serve(Path.of(args[0]), new DataInputStream(System.in), out);
     } catch (EOFException e) {

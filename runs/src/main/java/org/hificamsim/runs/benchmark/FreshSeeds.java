@@ -8,14 +8,14 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.NamedSetting;
 import org.hificamsim.core.file.Sha256;
 
-/** Seeds that nobody knows who does not know the secret from which they are drawn. */
+/** Draws seeds from a secret, so that nobody can know them without the secret. */
 final class FreshSeeds {
   private static final int FEWEST_CHARACTERS = 8;
 
   private final String secret;
 
   /**
-   * @param secret 8 or more characters
+   * @param secret a text of 8 or more characters
    */
   FreshSeeds(String secret) {
     this.secret = secret;
@@ -27,7 +27,7 @@ final class FreshSeeds {
   }
 
   /** The seeds of a task's episodes. */
-  List<Long> of(String task, int episodes) {
+  List<Long> draw(String task, int episodes) {
     return IntStream.range(0, episodes).mapToObj(episode -> seed(task, episode)).toList();
   }
 

@@ -32,7 +32,7 @@ public final class Leaderboard {
 
   private static final Table<Figure> TABLE =
       Table.<Figure>of("leaderboard.csv")
-          .texts("name", "of the entry", figure -> figure.entry.name())
+          .texts("name", "the name of the entry", figure -> figure.entry.name())
           .texts("policy", "the policy with its options", figure -> figure.entry.policy())
           .texts(
               "verified",
@@ -46,13 +46,13 @@ public final class Leaderboard {
   private final Benchmark benchmark;
   private final List<BenchmarkEntry> entries;
 
-  /** By entry, what fresh seeds said; others had only their actions replayed. */
+  /** The outcome on fresh seeds by entry; only the actions of all other entries were replayed. */
   private final Map<BenchmarkEntry, VerificationOutcome> verified;
 
   /**
    * Ranks the entries.
    *
-   * @param verified by entry, what fresh seeds said of it
+   * @param verified the outcome on fresh seeds, by entry
    * @throws InputException when names of entries look alike
    */
   public Leaderboard(

@@ -81,13 +81,13 @@ final class RecordedActions {
   }
 
   private static int[] views(CsvRow row, List<String> columns, long seed, int step, Path file) {
-    if (row == null || whole(row, SEED) != seed || whole(row, STEP) != step) {
+    if (row == null || integer(row, SEED) != seed || integer(row, STEP) != step) {
       throw InputException.of("%s: no step %s of seed %s, expected every one", file, step, seed);
     }
-    return columns.stream().skip(2).mapToInt(camera -> (int) whole(row, camera)).toArray();
+    return columns.stream().skip(2).mapToInt(camera -> (int) integer(row, camera)).toArray();
   }
 
-  private static long whole(CsvRow row, String column) {
+  private static long integer(CsvRow row, String column) {
     double number = row.number(column, Integer.MIN_VALUE, Integer.MAX_VALUE, VIEW);
     if (number != Math.rint(number)) {
       throw row.invalid(column, VIEW);

@@ -8,7 +8,7 @@ import org.hificamsim.runs.RunPlan;
 /**
  * An episode of an entered policy.
  *
- * @param policy with its options
+ * @param policy the policy with its options
  * @param isFresh whether the seed is neither for training nor for testing
  */
 record Trial(String task, String policy, long seed, boolean isFresh) {

@@ -14,13 +14,13 @@ import org.hificamsim.core.file.Sha256;
 import org.hificamsim.runs.output.JsonOutput;
 
 /**
- * What a maintainer found who played the policy of an entry on fresh seeds.
+ * The result of playing the policy of an entry on the fresh seeds of a maintainer.
  *
  * @param entryHash the SHA-256 of the entry's file
  * @param secretHash the SHA-256 of the secret from which seeds were drawn
  * @param confined whether the system kept the policy from files and other processes
- * @param tasks by name, what was found
- * @param all the same over all tasks
+ * @param tasks the finding for each task, by the task's name
+ * @param all the finding over all tasks
  */
 public record Verification(
     @JsonProperty("entry") String entryHash,
@@ -45,22 +45,23 @@ public record Verification(
   }
 
   /**
-   * What was found of a score, on the scale of the benchmark.
+   * A claimed score and that of fresh episodes, on the scale of the benchmark.
    *
    * @param claimed the score of the entry
    * @param fresh the mean score of fresh episodes
-   * @param margin by how much they may differ by chance
-   * @param reproduced whether the policy scores in testing episodes what the entry says
+   * @param margin the most by which the two may differ by chance
+   * @param reproduced whether the policy scores in testing episodes what the entry claims
    */
   public record Finding(double claimed, double fresh, double margin, boolean reproduced) {
     /**
-     * Whether the policy reproduces the claimed score, and fresh seeds are lower only by chance.
+     * Whether the policy reproduces the claimed score, and the score on fresh seeds is not lower by
+     * more than chance explains.
      */
     boolean holds() {
       return reproduced && claimed - fresh <= margin;
     }
 
-    /** Says both scores, and what does not hold. */
+    /** Describes both scores, and what does not hold. */
     public String text() {
       String scores = Texts.format("%.3f claimed, %.3f on fresh seeds", claimed, fresh);
       String reason = reproduced ? "" : ": the policy scores otherwise in testing";
@@ -75,7 +76,7 @@ public record Verification(
     return all.holds() && tasks.values().stream().allMatch(Finding::holds);
   }
 
-  /** What the board says of the entry. */
+  /** The outcome that the leaderboard shows. */
   public VerificationOutcome outcome() {
     if (!holds()) {
       return VerificationOutcome.NOT_HELD;
@@ -83,7 +84,7 @@ public record Verification(
     return confined ? VerificationOutcome.HELD : VerificationOutcome.UNCONFINED;
   }
 
-  /** Whether this is of an entry, given its folder or file. */
+  /** Whether this is the verification of an entry, given the entry's folder or file. */
   public boolean isOf(Path path) {
     return Io.get(() -> Sha256.of(BenchmarkEntry.file(path))).equals(entryHash);
   }

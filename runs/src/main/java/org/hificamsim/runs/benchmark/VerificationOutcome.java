@@ -1,8 +1,8 @@
 package org.hificamsim.runs.benchmark;
 
-/** What was found of an entry's scores on fresh seeds, the worst first. */
+/** The outcomes of verifying an entry's scores on fresh seeds, the worst first. */
 public enum VerificationOutcome {
-  /** The policy scores less, or other than the entry says in testing. */
+  /** The policy scores less on fresh seeds, or does not reproduce the entry's scores in testing. */
   NOT_HELD("not held"),
   /** The scores hold, on a system that did not keep the policy from reading files. */
   UNCONFINED("unconfined"),
@@ -15,13 +15,13 @@ public enum VerificationOutcome {
     this.label = label;
   }
 
-  /** The word of tables. */
+  /** The word in tables. */
   String label() {
     return label;
   }
 
-  /** The worse of two. */
-  public static VerificationOutcome worse(VerificationOutcome one, VerificationOutcome other) {
-    return one.compareTo(other) <= 0 ? one : other;
+  /** The worse of two outcomes. */
+  public static VerificationOutcome worse(VerificationOutcome first, VerificationOutcome second) {
+    return first.compareTo(second) <= 0 ? first : second;
   }
 }

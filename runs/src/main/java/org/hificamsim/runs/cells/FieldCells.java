@@ -6,8 +6,8 @@ import org.hificamsim.core.scenario.spec.Field;
  * A field divided into equal cells that are as square as the field allows. They are numbered from
  * the lower left corner, row by row upwards.
  *
- * @param columns 1 or more
- * @param rows 1 or more
+ * @param columns the number of columns, 1 or more
+ * @param rows the number of rows, 1 or more
  */
 public record FieldCells(Field field, int columns, int rows) {
   /** The most cells along a side. */
@@ -17,9 +17,9 @@ public record FieldCells(Field field, int columns, int rows) {
   public static final int DEFAULT = 100;
 
   /**
-   * The cells of a field.
+   * Divides a field into cells.
    *
-   * @param along the number of cells along its longer side, 1 to {@link #MAX}
+   * @param along the number of cells along the field's longer side, 1 to {@link #MAX}
    */
   public static FieldCells of(Field field, int along) {
     double edge = Math.max(field.width(), field.height()) / along;
@@ -57,16 +57,16 @@ public record FieldCells(Field field, int columns, int rows) {
   }
 
   /** The cell of a point, -1 outside the field; on a border, the cell with the higher number. */
-  public int at(double x, double y) {
+  public int cellAt(double x, double y) {
     return field.contains(x, y) && !Double.isNaN(x + y) ? row(y) * columns + column(x) : -1;
   }
 
-  /** The column of a position, the nearest column if it is outside the field. */
+  /** The column of a position; the nearest column if the position is outside the field. */
   int column(double x) {
     return index(x - field.minX(), width(), columns);
   }
 
-  /** The row of a position, the nearest row if it is outside the field. */
+  /** The row of a position; the nearest row if the position is outside the field. */
   int row(double y) {
     return index(y - field.minY(), height(), rows);
   }

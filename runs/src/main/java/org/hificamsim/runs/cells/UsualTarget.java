@@ -21,15 +21,15 @@ import org.hificamsim.core.world.World;
 public final class UsualTarget {
   private UsualTarget() {}
 
-  /** Returns a target of the most frequent size; a person if there are none. */
+  /** Returns a target of the most frequent size; a person if the scenario has no targets. */
   public static TargetSpec of(Scenario scenario) {
     return mostFrequent(scenario.everyTarget().toList())
         .orElseGet(() -> new TargetSpec(0, 0, 0).withExtent(Extent.PERSON));
   }
 
   /**
-   * The size, or height, as a detection model takes it, of the first target of the most frequent
-   * size in a world; metres.
+   * The size of the first target of the most frequent size in a world, or its height if the
+   * detection model works by height; metres.
    */
   public static double size(World world, DetectionModel model) {
     return mostFrequent(
@@ -50,8 +50,8 @@ public final class UsualTarget {
   }
 
   /**
-   * Returns what a detection must see of the target in a zone: by the zone's rule, else the
-   * target's, the scenario's or the detection model's.
+   * Returns the part of the target that a detection must see in a zone: by the rule of the zone, or
+   * else of the target, the scenario or the detection model.
    */
   static Body body(Scenario scenario, Zone zone, Detection detection) {
     TargetSpec target = of(scenario);

@@ -14,28 +14,28 @@ import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 
 /**
- * The cells that each camera sees in each of its views. They are computed when a view is first used
- * and kept until a camera is moved, or until they take too much memory.
+ * Computes the cells that each camera sees in each of its views. They are computed when a view is
+ * first used, and kept until a camera is moved or they take too much memory.
  */
 public final class ViewCells {
   /**
-   * The cells in whose centre a camera would detect a target in one view.
+   * The cells of a view in which the camera would detect a target at the centre.
    *
-   * @param cells their numbers, in ascending order
+   * @param cells the numbers of the cells, in ascending order
    * @param chances the chances of a detection in each of these cells, above 0
    */
   public record Seen(int[] cells, double[] chances) {
     private static final Seen NOTHING = new Seen(new int[0], new double[0]);
   }
 
-  /** Decides whether what a camera sees of a target in a cell counts. */
+  /** A condition on the position of a camera, without which a target in a cell does not count. */
   @FunctionalInterface
   public interface Condition {
-    /** The condition under which everything counts. */
+    /** The condition that always holds. */
     Condition NONE = (east, north, z) -> true;
 
     /**
-     * Whether it counts.
+     * Whether a target counts.
      *
      * @param east metres to the east, from the target to the camera
      * @param north metres to the north, from the target to the camera
@@ -61,7 +61,7 @@ public final class ViewCells {
   private Seen[] now = {};
 
   /**
-   * @param bodies what must be seen of a target in a network
+   * @param bodies the part of a target that must be seen, by network
    */
   public ViewCells(
       FieldCells cells,
@@ -81,7 +81,7 @@ public final class ViewCells {
     return cells;
   }
 
-  /** Forgets everything, because the cameras may be elsewhere now. */
+  /** Forgets all cells, because the cameras may have been moved. */
   public void forget(NetworkView network) {
     revision = network.revision();
     regions = new VisibleRegion[network.cameras()];
@@ -90,7 +90,7 @@ public final class ViewCells {
     keptCells = 0;
   }
 
-  /** The cells that each camera sees now; the same array until a camera sees others. */
+  /** The cells that each camera sees now; returns the same array until a camera sees others. */
   public Seen[] now(NetworkView network) {
     if (revision != network.revision() || seen.length != network.cameras()) {
       forget(network);
@@ -107,7 +107,7 @@ public final class ViewCells {
     return now;
   }
 
-  /** The cells that each camera sees in any of its views, with the greatest chance. */
+  /** The cells that each camera sees in any of its views, each with its greatest chance. */
   Seen[] inAnyView(NetworkView network) {
     forget(network);
     Seen[] union = new Seen[network.cameras()];
@@ -132,7 +132,7 @@ public final class ViewCells {
   private Seen now(NetworkView network, int camera) {
     int view = network.seeing(camera);
     if (view < 0) {
-      return Seen.NOTHING; // it is turning
+      return Seen.NOTHING; // the camera is turning
     }
     if (keptCells > MAX_KEPT) {
       forget(network);
@@ -158,7 +158,7 @@ public final class ViewCells {
     if (regions[camera] == null && !obstacles.isEmpty()) {
       regions[camera] = VisibleRegion.of(obstacles, cameraX, cameraY);
     }
-    VisibleRegion region = regions[camera]; // null where there are no obstacles
+    VisibleRegion regionOrNull = regions[camera];
     ZoomLevel zoom = network.zoom(camera, view);
     Body body = bodies.apply(network);
     LevelSight sight = visibility.at(zoom, body);
@@ -175,7 +175,7 @@ public final class ViewCells {
         double x = cells.x(cell);
         double y = cells.y(cell);
         boolean counts = condition.holds(cameraX - x, cameraY - y, zoom.vertical().z());
-        double transmittance = counts ? transmittance(region, x, y, zoom, body) : 0;
+        double transmittance = counts ? transmittance(regionOrNull, x, y, zoom, body) : 0;
         double chance = transmittance == 0 ? 0 : sight.chance(pose, x, y, transmittance);
         numbers[count] = cell;
         chances[count] = chance;
@@ -185,7 +185,11 @@ public final class ViewCells {
     return new Seen(Arrays.copyOf(numbers, count), Arrays.copyOf(chances, count));
   }
 
-  /** The part of the light that comes from a body; all of it where there are no obstacles. */
+  /**
+   * The part of a body's light that reaches the camera.
+   *
+   * @param region the region that the camera sees; null without obstacles
+   */
   private static double transmittance(
       VisibleRegion region, double x, double y, ZoomLevel zoom, Body body) {
     return region == null

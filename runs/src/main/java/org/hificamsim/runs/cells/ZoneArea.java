@@ -12,12 +12,14 @@ import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.core.visibility.Body;
 
 /**
- * The area of a zone, and the share of it that cameras see as the zone demands. All commands
- * measure zones in this way, on a raster of about {@value #CELLS} cells, whatever the size of the
- * zone: wide cells would count up to half a row of cells along each edge of a small zone wrong. The
- * cells of a zone up to 100 square metres are 0.1 m wide or a whole part of that, so that edges of
- * obstacles at tenths of metres are edges of cells if the zone begins at tenths. Cells whose centre
- * is in an obstacle do not count; a cell that fewer than k cameras see counts in part.
+ * Measures the area of a zone, and the share of it that cameras see as the zone demands. All
+ * commands measure zones in this way.
+ *
+ * <p>The raster has about {@value #CELLS} cells whatever the size of the zone, since the error is
+ * up to half a cell along each edge. In zones up to 100 square metres, 0.1 m is a multiple of the
+ * cells' width, so that obstacles whose edges are at tenths of metres coincide with edges of cells
+ * if the zone begins at tenths. Cells whose centre is in an obstacle do not count; a cell that
+ * fewer than k cameras see counts in part.
  */
 public final class ZoneArea {
   private static final int CELLS = 10_000;
@@ -36,8 +38,8 @@ public final class ZoneArea {
   private double share;
 
   /**
-   * @param zone with the number of cameras that it demands
-   * @param detection that has to see the zone
+   * @param zone the zone, with the number of cameras that it demands
+   * @param detection the detection by which cameras have to see the zone
    */
   public ZoneArea(Scenario site, Zone zone, Detection detection) {
     this.zone = zone;
@@ -61,7 +63,7 @@ public final class ZoneArea {
   }
 
   /**
-   * Returns the area of a zone, which may leave its detection and number of cameras to the site.
+   * Returns the area of a zone, which may omit its detection and its number of cameras.
    *
    * @param usual the detection of zones that name none
    * @param detections finds a detection by the name that a zone has
@@ -77,10 +79,10 @@ public final class ZoneArea {
   private static FieldCells raster(Field bounds) {
     double exact = Math.max(MIN_EDGE, Math.sqrt(bounds.width() * bounds.height() / CELLS));
     double edge = exact < TENTH ? TENTH / Math.ceil(TENTH / exact - ROUNDING) : exact;
-    return new FieldCells(bounds, parts(bounds.width(), edge), parts(bounds.height(), edge));
+    return new FieldCells(bounds, count(bounds.width(), edge), count(bounds.height(), edge));
   }
 
-  private static int parts(double side, double edge) {
+  private static int count(double side, double edge) {
     return Math.max(1, (int) Math.ceil(side / edge - ROUNDING));
   }
 
@@ -94,7 +96,7 @@ public final class ZoneArea {
     return zone.weight() * freeCells.length * views.cells().width() * views.cells().height();
   }
 
-  /** Forgets what cameras see, because they may be elsewhere now. */
+  /** Forgets what cameras see, because they may have been moved. */
   void forget(NetworkView network) {
     views.forget(network);
   }

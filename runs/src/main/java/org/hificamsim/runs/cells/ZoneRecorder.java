@@ -12,8 +12,8 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Zone;
 
 /**
- * Measures which share of a scenario's zones is seen as the zones demand, as the mean over the
- * steps of a run; see {@link ZoneArea}.
+ * Measures the share of a scenario's zones that is seen as they demand, the mean over the steps of
+ * a run; see {@link ZoneArea}.
  */
 public final class ZoneRecorder implements StepListener {
   private final List<WatchedZone> zones;
@@ -52,7 +52,7 @@ public final class ZoneRecorder implements StepListener {
     return zones.stream().mapToDouble(WatchedZone::met).min().orElse(Double.NaN);
   }
 
-  /** By name of a zone, the share of it. */
+  /** The share of each zone, by the zone's name. */
   public Map<String, Double> shares() {
     Map<String, Double> shares = new LinkedHashMap<>();
     zones.forEach(zone -> shares.put(zone.name, zone.met()));

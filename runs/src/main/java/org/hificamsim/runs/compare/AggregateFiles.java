@@ -22,7 +22,7 @@ public final class AggregateFiles {
           .texts("detection", "the detection's name", PolicyScores::detection)
           .texts("policy", "the zoom policy with its options", PolicyScores::policy)
           .columns();
-  private static final String OTHER = "the policy that it is compared with";
+  private static final String OTHER = "the policy that `policy` is compared with";
 
   private static final String MEASURE =
       "what is compared: `proportion_of_optimal`; without the optimum as a yardstick"
@@ -45,13 +45,13 @@ public final class AggregateFiles {
    */
   record Difference(
       PolicyPair.InScenario pair, Estimate mean, double pValue, double corrected, int tests) {
-    /** The seeds that such a difference takes; infinity if it is 0. */
+    /** The number of seeds with which such a difference is found; infinity if it is 0. */
     double seedsNeeded() {
       return PairedTest.seedsNeeded(pair.differences(), tests);
     }
   }
 
-  /** A row per detection, policy and statistic. */
+  /** A table with a row per detection, policy and statistic. */
   public static final Table<Statistic> AGGREGATE =
       Table.<Statistic>of("aggregate.csv")
           .with(POLICY, Statistic::policy)
@@ -59,12 +59,12 @@ public final class AggregateFiles {
               "statistic",
               "`iqm`, `optimality_gap`, `mean` or `median`",
               row -> row.aggregate.label())
-          .ints("scenarios", "", "how many have a value", row -> row.policy.scores().scenarios())
-          .ints("runs", "", "how many have a value", row -> row.policy.scores().runs())
-          .estimates("value", "", "share", "of `metric`", Statistic::value)
+          .ints("scenarios", "", "number with a value", row -> row.policy.scores().scenarios())
+          .ints("runs", "", "number with a value", row -> row.policy.scores().runs())
+          .estimates("value", "", "share", "the statistic of `metric`", Statistic::value)
           .texts("metric", MEASURE, row -> row.policy.metric().label());
 
-  /** A row per detection, policy and tau. */
+  /** A table with a row per detection, policy and tau. */
   public static final Table<Point> PROFILE =
       Table.<Point>of("profile.csv")
           .with(POLICY, Point::policy)
@@ -73,29 +73,26 @@ public final class AggregateFiles {
               "share",
               "",
               "share",
-              "of runs whose proportion of the optimum (`metric` of `aggregate.csv`) is `tau` or"
+              "runs whose proportion of the optimum (`metric` of `aggregate.csv`) is `tau` or"
                   + " more",
               Point::share);
 
-  /** A row per detection and pair of policies. */
+  /** A table with a row per detection and pair of policies. */
   public static final Table<Improvement> IMPROVEMENT =
       Table.<Improvement>of("improvement.csv")
           .with(POLICY, row -> row.pair.first())
           .texts("other", OTHER, row -> row.pair.second().policy())
           .ints(
-              "scenarios",
-              "",
-              "how many have a value",
-              row -> row.pair.first().scores().scenarios())
+              "scenarios", "", "number with a value", row -> row.pair.first().scores().scenarios())
           .estimates(
               "probability",
               "",
               "probability",
-              "that a run of `policy` has a higher proportion than a run of `other` in the same"
-                  + " scenario (a tie counts half; the mean over scenarios)",
+              "a run of `policy` has a higher proportion than a run of `other` in the same scenario"
+                  + " (a tie counts half; the mean over scenarios)",
               Improvement::probability);
 
-  /** A row per scenario, detection and pair of policies. */
+  /** A table with a row per scenario, detection and pair of policies. */
   public static final Table<Difference> PAIRS =
       Table.<Difference>of("pairs.csv")
           .with(ComparisonFiles.CASE, row -> row.pair.first().plan())
@@ -107,21 +104,22 @@ public final class AggregateFiles {
           .doubles(
               "p_value",
               "probability",
-              "two-sided randomization test: each difference might as well have the other sign; all"
-                  + " choices of signs up to 16 seeds, 99,999 drawn ones above",
+              "two-sided randomization test of the hypothesis that each difference could equally"
+                  + " have the other sign; with up to 16 seeds over all choices of signs, with more"
+                  + " over 99,999 drawn choices",
               Difference::pValue)
           .doubles(
               "p_holm",
               "probability",
-              "the same after Holm's correction over all rows of the file: below 0.05, not one"
-                  + " false finding in all of it is likely",
+              "`p_value` after Holm's correction over all rows of the file: with a limit of 0.05,"
+                  + " the whole file has no false finding with a probability of 95 %",
               Difference::corrected)
           .doubles(
               "seeds_needed",
               "",
-              "with so many seeds, a difference of this size and scatter is found among as many"
-                  + " rows (`p_holm` below 0.05) in four of five studies; empty where all seeds"
-                  + " agree that it is 0",
+              "number with which a difference of this size and scatter is found among as many rows"
+                  + " (`p_holm` below 0.05) in four of five studies; empty where the difference is"
+                  + " 0 in all seeds",
               Difference::seedsNeeded);
 
   private AggregateFiles() {}
@@ -131,7 +129,8 @@ public final class AggregateFiles {
    *
    * @param cases every policy under every detection in every scenario
    * @param reference the policy that the others are compared with
-   * @param threads that share the work, 1 or more; an interval takes thousands of draws
+   * @param threads the number of threads that share the work, 1 or more; each interval takes
+   *     thousands of draws
    */
   public static void write(
       OutputFolder folder, List<CaseResult> cases, ReferencePolicy reference, int threads)
@@ -171,7 +170,7 @@ public final class AggregateFiles {
   }
 
   /**
-   * Says how many seeds it takes to find any difference; empty if there are enough.
+   * Describes how many seeds it takes to find any difference; empty if there are enough.
    *
    * @param cases every policy under every detection in every scenario
    */

@@ -10,8 +10,8 @@ import org.hificamsim.runs.ScoredRun;
 /**
  * The results of a plan of a comparison.
  *
- * @param runs one for each repeat, by ascending seed
- * @param meanKMin k_min of each step, the mean over the repeats
+ * @param runs the run of each repeat, by ascending seed
+ * @param meanKMin the k_min of each step, the mean over the repeats
  * @param meanScore the score of each step, the mean over the repeats
  * @param partMeans for each repeat the mean score in each of its {@link FinishedRun#partMeans equal
  *     parts}, from which intervals over time are computed
@@ -40,7 +40,7 @@ public record CaseResult(
 
   /** The mean score of a step in one of the equal parts, over the runs. */
   public Estimate partMean(int part) {
-    double[] means = Arrays.stream(partMeans).mapToDouble(ofRun -> ofRun[part]).toArray();
+    double[] means = Arrays.stream(partMeans).mapToDouble(run -> run[part]).toArray();
     return Metric.MEAN_SCORE.mean(plan, means);
   }
 

@@ -8,8 +8,8 @@ import java.util.stream.Collectors;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * The results of a comparison by the names of scenario, detection model and policy, and in groups
- * that keep the order of the results.
+ * Finds the results of a comparison group the names of scenario, detection model and policy, and
+ * groups results in the order in which they are given.
  */
 public final class Cases {
   private record Name(String scenario, String detection, String policy) {
@@ -39,18 +39,18 @@ public final class Cases {
   }
 
   public static Map<String, List<CaseResult>> byScenario(List<CaseResult> cases) {
-    return by(cases, result -> result.plan().scenario().name());
+    return group(cases, result -> result.plan().scenario().name());
   }
 
   public static Map<String, List<CaseResult>> byDetection(List<CaseResult> cases) {
-    return by(cases, result -> result.plan().detection().name());
+    return group(cases, result -> result.plan().detection().name());
   }
 
   public static Map<String, List<CaseResult>> byPolicy(List<CaseResult> cases) {
-    return by(cases, result -> result.plan().policy());
+    return group(cases, result -> result.plan().policy());
   }
 
-  static <K> Map<K, List<CaseResult>> by(List<CaseResult> cases, Function<CaseResult, K> key) {
+  static <K> Map<K, List<CaseResult>> group(List<CaseResult> cases, Function<CaseResult, K> key) {
     return cases.stream()
         .collect(Collectors.groupingBy(key, LinkedHashMap::new, Collectors.toList()));
   }

@@ -14,19 +14,19 @@ import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.output.TextTable;
 
 /**
- * The policy that is best under one detection, and what it achieves under the last detection of the
- * list, which is taken to be the most realistic. Scores under two detections cannot be subtracted:
- * they are of two different worlds.
+ * The policy that is best under one detection, and its score under the last detection of the list,
+ * which is taken to be the most realistic. Scores under two detections cannot be subtracted, since
+ * they are those of two different worlds.
  *
  * @param plan a plan with the detection that chose
  * @param chosen the policies with the best score under it, several if they tie
- * @param predicted their mean score of a step under that detection
+ * @param predicted the mean score of a step of the chosen policies under that detection
  * @param judge the name of the last detection
- * @param achieved their mean score of a step under the last detection
+ * @param achieved the mean score of a step of the chosen policies under the last detection
  */
 public record Choice(
     RunPlan plan, List<String> chosen, Estimate predicted, String judge, Estimate achieved) {
-  /** A row per scenario and detection if there are several detections. */
+  /** A table with a row per scenario and detection, if there are several detections. */
   public static final Table<Choice> FILE =
       Table.<Choice>of("choices.csv")
           .with(ComparisonFiles.CASE.subList(0, 2), Choice::plan)
@@ -39,14 +39,14 @@ public record Choice(
               "predicted",
               "predicted_",
               "that of `score`, of a step",
-              "its score under that detection",
+              "the chosen policy's score under `detection`",
               Choice::predicted)
           .texts("judge", "the last detection, by which choices are judged", Choice::judge)
           .estimates(
               "achieved",
               "achieved_",
               "that of `score`, of a step",
-              "the chosen policy's score under that one",
+              "the chosen policy's score under the last detection",
               Choice::achieved);
 
   /** The choices of all detections in each scenario; none if there is one detection or policy. */
@@ -64,7 +64,7 @@ public record Choice(
     String judge = names.get(names.size() - 1);
     RungScores judged = RungScores.of(detections.get(judge));
     if (names.size() > 1 && judged.score().length > 1) {
-      detections.values().forEach(own -> choices.add(of(own, judge, judged)));
+      detections.values().forEach(cases -> choices.add(of(cases, judge, judged)));
     }
     return choices;
   }

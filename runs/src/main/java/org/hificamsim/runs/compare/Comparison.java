@@ -15,8 +15,8 @@ import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.ScoredRun;
 
 /**
- * Runs plans, every repeat as a task of its own, and compares the score of each run with the
- * yardsticks of its scenario, detection model and seed.
+ * Runs plans, each repeat as a task of its own, and compares the score of each run with the
+ * yardsticks of the same scenario, detection model and seed.
  *
  * <p>The results do not depend on the engine or its threads: a run depends on its plan and seed
  * alone, and sums over runs are sums of whole numbers or are added in the order of seeds.
@@ -27,17 +27,17 @@ public final class Comparison {
   /**
    * Runs all plans.
    *
-   * @param asked plans with the same seeds
+   * @param requested the plans, all with the same seeds
    * @param references the yardsticks that are run in addition
-   * @param engine that computes the runs; it is configured already
-   * @return one result for each plan that was asked for, then those of the optima that were added
+   * @param engine the engine that computes the runs, already configured
+   * @return the result of each requested plan, then those of the optima that were added
    */
   public static List<CaseResult> run(
-      List<RunPlan> asked, ReferencePolicies references, RunEngine engine) throws IOException {
-    List<RunPlan> plans = references.with(asked);
+      List<RunPlan> requested, ReferencePolicies references, RunEngine engine) throws IOException {
+    List<RunPlan> plans = references.with(requested);
     List<CaseUnderWay> cases = plans.stream().map(CaseUnderWay::new).toList();
     engine.run(plans, tasks(plans), (task, run) -> cases.get(task.plan()).take(task.repeat(), run));
-    return score(cases).subList(0, references.withOptimum(asked).size());
+    return score(cases).subList(0, references.withOptimum(requested).size());
   }
 
   /** Every run, seed by seed, so that all cases advance together. */
@@ -54,7 +54,7 @@ public final class Comparison {
   private static List<CaseResult> score(List<CaseUnderWay> cases) {
     Map<ReferencePolicies.Group, List<CaseUnderWay>> groups =
         cases.stream().collect(Collectors.groupingBy(CaseUnderWay::group));
-    return cases.stream().map(running -> running.scored(groups.get(running.group()))).toList();
+    return cases.stream().map(underWay -> underWay.scored(groups.get(underWay.group()))).toList();
   }
 
   /** A case whose repeats are being run by several threads. */

@@ -17,7 +17,7 @@ import org.hificamsim.runs.output.Table;
 
 /** Writes the tables of the cases of a comparison, as {@code compare} and similar commands do. */
 public final class ComparisonFiles {
-  /** The columns that name a case. */
+  /** The columns that identify a case. */
   public static final List<Column<RunPlan>> CASE =
       Table.<RunPlan>of("")
           .texts(
@@ -29,7 +29,7 @@ public final class ComparisonFiles {
           .columns();
 
   /**
-   * One run of a plan.
+   * A run of a plan.
    *
    * @param result the result of the plan; null for a run without a comparison
    */
@@ -44,11 +44,11 @@ public final class ComparisonFiles {
     }
   }
 
-  /** One metric of a run. */
+  /** A metric of a run. */
   record RunMetric(Run run, Metric metric) {}
 
   /**
-   * One metric of a case.
+   * A metric of a case.
    *
    * @param runs the number of runs with a value
    * @param reference the case under the first detection; empty if it is this case itself
@@ -99,7 +99,7 @@ public final class ComparisonFiles {
           .longs("seed", "", SEED, run -> run.scored.result().seed())
           .columns();
 
-  /** A row per run that was asked for. */
+  /** A table with a row for each run that was asked for. */
   public static final Table<Run> RESULTS =
       Table.<Run>of("results.csv")
           .with(RUN)
@@ -111,17 +111,18 @@ public final class ComparisonFiles {
           .plain(
               "optimum",
               "that of `score`",
-              "the optimum's score, which the proportion is of; empty where it is no yardstick",
+              "the score of the optimum, by which the proportion is divided; empty where the"
+                  + " optimum is not a yardstick",
               run -> run.scored.optimum())
           .texts(
               "objective",
-              "what a step is scored by ([objectives](objectives.md))",
+              "the score of a step ([objectives](objectives.md))",
               run -> run.plan().objective().text())
           .plain(Metric.SCORE, Run::value)
           .doubles(Metric.PROPORTION_OF_REACHABLE, Run::value)
           .doubles(Metric.MEAN_SCORE, Run::value);
 
-  /** A row per scenario, detection, yardstick and seed. */
+  /** A table with a row for each scenario, detection, yardstick and seed. */
   public static final Table<YardstickScore> YARDSTICKS =
       Table.<YardstickScore>of("yardsticks.csv")
           .with(CASE.subList(0, 2), row -> row.run.plan())
@@ -131,26 +132,26 @@ public final class ComparisonFiles {
                   + " setting `yardsticks`)",
               row -> row.yardstick.policy())
           .longs("seed", "", SEED, row -> row.run.scored.result().seed())
-          .plain("score", "that of `score`", "what it came to", row -> row.score)
+          .plain("score", "that of `score`", "the score of the yardstick", row -> row.score)
           .texts(
               "is",
-              "`reached`: a configuration of each step has it; `at most`: none has more, and"
-                  + " perhaps none as much",
+              "`reached`: configurations have this score; `at most`: none has more, and perhaps"
+                  + " none as much",
               row -> row.isBound ? "at most" : "reached");
 
-  /** A row per run and metric, including the runs of the optima. */
+  /** A table with a row for each run and metric, including the runs of the optima. */
   public static final Table<RunMetric> METRICS =
       Table.<RunMetric>of("metrics.csv")
           .with(RUN, RunMetric::run)
-          .texts("metric", "its name, see below", row -> row.metric.label())
-          .doubles("value", "", "its value", row -> row.run.value(row.metric));
+          .texts("metric", "the metric's name, see below", row -> row.metric.label())
+          .doubles("value", "", "the metric's value", row -> row.run.value(row.metric));
 
-  /** A row per case and metric. */
+  /** A table with a row for each case and metric. */
   public static final Table<CaseMetric> SUMMARY =
       Table.<CaseMetric>of("summary.csv")
           .with(CASE, row -> row.result.plan())
-          .texts("metric", "its name", row -> row.metric.label())
-          .ints("runs", "", "how many have a value", row -> row.runs)
+          .texts("metric", "the metric's name", row -> row.metric.label())
+          .ints("runs", "", "number with a value", row -> row.runs)
           .estimates("mean", "", "", "the mean over the seeds", row -> row.mean)
           .texts(
               "difference_to",
@@ -160,10 +161,10 @@ public final class ComparisonFiles {
               "difference",
               "difference_",
               "",
-              "the mean difference to it, paired by seed",
+              "the mean difference to `difference_to`, paired by seed",
               row -> row.difference);
 
-  /** A row per case and step. */
+  /** A table with a row for each case and step. */
   public static final Table<CaseStep> STEPS =
       Table.<CaseStep>of("steps.csv.gz")
           .with(CASE, row -> row.result.plan())
@@ -176,10 +177,10 @@ public final class ComparisonFiles {
           .doubles(
               "score",
               "that of the [objective](objectives.md)",
-              "what the objective makes of the step, the mean over the seeds; k_min by default",
+              "the step's score, the mean over the seeds; k_min by default",
               row -> row.result.meanScore()[row.step]);
 
-  /** A part of the run of a case, of {@link FinishedRun#partMeans equal parts}. */
+  /** One of the {@link FinishedRun#partMeans equal parts} of the runs of a case. */
   record CasePart(CaseResult result, int part) {
     int step() {
       return FinishedRun.start(part, result.partMeans()[0].length, result.plan().steps());
@@ -190,20 +191,21 @@ public final class ComparisonFiles {
     }
   }
 
-  /** A row per case and part of its runs, for the intervals of curves. */
+  /** A table with a row for each case and part of its runs, for the intervals of curves. */
   public static final Table<CasePart> LEVELS =
       Table.<CasePart>of("levels.csv")
           .with(CASE, row -> row.result.plan())
           .ints(
               "step",
               "steps",
-              "at which the part begins: one of fifty equal parts, or a step where there are fewer",
+              "first step of the part, which is one of fifty equal parts of the run; in runs of"
+                  + " fewer steps each step is a part",
               CasePart::step)
           .estimates(
               "score",
               "",
               "that of `score`, of a step",
-              "the mean score of the part, and of that over the seeds",
+              "the mean score of the part, the mean over the seeds",
               CasePart::score);
 
   private ComparisonFiles() {}
@@ -211,14 +213,14 @@ public final class ComparisonFiles {
   /**
    * Adds {@code settings.json} and all tables of cases to a folder's files.
    *
-   * @param asked the cases that were asked for
-   * @param all also the optima that they are compared with
+   * @param requested the cases that were asked for
+   * @param all those cases and the optima that they are compared with
    */
-  public static void write(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
+  public static void write(OutputFolder folder, List<CaseResult> requested, List<CaseResult> all)
       throws IOException {
     SettingsFile.write(folder, all.stream().map(CaseResult::plan).toList());
-    RESULTS.write(folder, runs(asked));
-    YARDSTICKS.write(folder, yardstickScores(asked));
+    RESULTS.write(folder, runs(requested));
+    YARDSTICKS.write(folder, yardstickScores(requested));
     METRICS.write(
         folder,
         runs(all)
@@ -251,9 +253,9 @@ public final class ComparisonFiles {
         .flatMap(result -> result.runs().stream().map(run -> new Run(result.plan(), result, run)));
   }
 
-  /** One for each scenario, detection, yardstick and seed: they are the same for all policies. */
+  /** The scores for each scenario, detection, yardstick and seed, which all policies share. */
   private static Stream<YardstickScore> yardstickScores(List<CaseResult> cases) {
-    return Cases.by(cases, result -> ReferencePolicies.Group.of(result.plan())).values().stream()
+    return Cases.group(cases, result -> ReferencePolicies.Group.of(result.plan())).values().stream()
         .map(group -> group.subList(0, 1))
         .flatMap(
             first ->

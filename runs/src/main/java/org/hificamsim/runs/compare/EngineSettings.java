@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 
 /**
- * How and where to compute runs. No result depends on it.
+ * The place where runs are computed. No result depends on it.
  *
  * @param catalogue the catalogue of this process
  * @param threads the number of threads of this machine to use, 1 or more

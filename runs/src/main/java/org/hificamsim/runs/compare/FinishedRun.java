@@ -39,7 +39,7 @@ public record FinishedRun(RunResult result, int[] kMin, double[] scores) impleme
     return scores.length == 0 ? kMin[step] : scores[step];
   }
 
-  /** The mean score in each of fifty equal parts of the run; in each step if there are fewer. */
+  /** The mean score in each of fifty equal parts; in each step if the run has fewer steps. */
   double[] partMeans() {
     int parts = Math.min(MAX_PARTS, kMin.length);
     double[] means = new double[parts];

@@ -34,13 +34,14 @@ import org.hificamsim.core.file.Sha256;
 import org.hificamsim.runs.RunResult;
 
 /**
- * A file of finished runs, each a line of JSON with a checksum, which is appended when the run
- * finishes. An incomplete last line, left by a killed process, is dropped; damaged lines are
- * counted. The runs of such lines are computed again, but the lines stay.
+ * Keeps finished runs in a file, so that an interrupted comparison can be resumed. Each run is a
+ * line of JSON with a checksum, which is appended when the run finishes. An incomplete last line,
+ * left by a killed process, is dropped; damaged lines are counted. The runs of such lines are
+ * computed again, but the lines stay.
  *
- * <p>The journal of a comparison is deleted when its results are in place; that of a shard is its
- * result. {@link JournalledEngine} skips the runs that a journal had when it was opened: those that
- * are added later are not found.
+ * <p>The journal of a comparison is deleted when its results are in place; the journal of a shard
+ * is the shard's result. A journal finds only the runs that it had when it was opened, and not
+ * those that are added later: {@link JournalledEngine} skips the former.
  */
 public final class Journal implements Closeable {
   /** The name of the file in the folder of a comparison. */
@@ -52,16 +53,16 @@ public final class Journal implements Closeable {
   /** The start of each line, which tells a journal from other files. */
   private static final byte[] BEGIN = "{\"sum\":\"".getBytes(StandardCharsets.UTF_8);
 
-  private static final int MAX_LINE = 1 << 28; // bytes
-  private static final int CHUNK = 1 << 16; // bytes
+  private static final int MAX_LINE_BYTES = 1 << 28;
+  private static final int CHUNK_BYTES = 1 << 16;
 
-  /** The place of a line in the file, in bytes. */
+  /** The position of a line in the file, in bytes. */
   private record Line(long start, int length) {}
 
   private final Path file;
   private final FileChannel channel;
 
-  /** By the plan's key with the seed, the last line of the run; as of the opening. */
+  /** The last line of each run when the journal was opened, by the plan's key with the seed. */
   private final Map<String, Line> lines = new HashMap<>();
 
   private final List<Integer> damagedLines = new ArrayList<>();
@@ -75,7 +76,7 @@ public final class Journal implements Closeable {
   /**
    * Opens a journal for adding runs.
    *
-   * @param folder which stays open for as long as the journal
+   * @param folder the folder, which stays open for as long as the journal
    * @param name the name of the file
    * @param resume whether runs in it are kept; otherwise they are dropped
    * @throws InputException when the file is a link
@@ -144,13 +145,13 @@ public final class Journal implements Closeable {
 
   /** Finds the line of each run, and returns where the last line ends. */
   private long index() throws IOException {
-    ByteBuffer chunk = ByteBuffer.allocate(CHUNK);
+    ByteBuffer chunk = ByteBuffer.allocate(CHUNK_BYTES);
     long start = 0;
-    for (long at = 0; channel.read(chunk.clear(), at) > 0; at += chunk.position()) {
+    for (long offset = 0; channel.read(chunk.clear(), offset) > 0; offset += chunk.position()) {
       for (int i = 0; i < chunk.position(); i++) {
         if (chunk.get(i) == '\n') {
-          index(start, at + i);
-          start = at + i + 1;
+          index(start, offset + i);
+          start = offset + i + 1;
         }
       }
     }
@@ -159,7 +160,7 @@ public final class Journal implements Closeable {
 
   private void index(long start, long end) throws IOException {
     lineCount++;
-    Line line = new Line(start, (int) Math.min(MAX_LINE, end - start));
+    Line line = new Line(start, (int) Math.min(MAX_LINE_BYTES, end - start));
     Optional<JournalLine> run = JournalLine.parse(bytes(line));
     run.ifPresentOrElse(parsed -> lines.put(parsed.key(), line), () -> damagedLines.add(lineCount));
   }
@@ -196,14 +197,15 @@ public final class Journal implements Closeable {
   }
 
   /**
-   * Checks that the runs in the journal are of the same inputs as a comparison's. Inputs of other
-   * names may be among them, and so may runs with other settings, which are never found.
+   * Checks that the journal has no runs of an input that a comparison has under the same name with
+   * another content. Runs of inputs with other names, or with other settings, are allowed; they are
+   * never found.
    *
    * @throws InputException naming an input that has changed under the same name
    */
   void requireUnchanged(List<RunKey> keys) {
     lines.keySet().stream()
-        .map(JournalLine::plan)
+        .map(JournalLine::planKey)
         .distinct()
         .map(RunKey::read)
         .flatMap(found -> keys.stream().flatMap(key -> key.changed(found).stream()))
@@ -218,7 +220,7 @@ public final class Journal implements Closeable {
   }
 
   /**
-   * A run that the journal had when it was opened; empty if it is not there.
+   * A run that the journal had when it was opened; empty if it had no such run.
    *
    * @param key the {@link RunKey#text} of its plan
    */
@@ -228,7 +230,7 @@ public final class Journal implements Closeable {
   }
 
   /**
-   * Appends a finished run, for the next time that the journal is opened.
+   * Appends a finished run, which is found when the journal is opened again.
    *
    * @param key the {@link RunKey#text} of its plan
    */
@@ -256,11 +258,11 @@ public final class Journal implements Closeable {
    * @param key made of the plan's key and the seed
    */
   private record JournalLine(String key, FinishedRun run) {
-    /** The JSON without its first property, a checksum; k_min and scores are compressed. */
+    /** The JSON of a line without its first property, the checksum; arrays are compressed. */
     @JsonIgnoreProperties("sum")
     private record Entry(String key, RunResult result, byte[] kMin, byte[] scores) {}
 
-    /** The number of hexadecimal digits that are kept of a SHA-256. */
+    /** The number of hexadecimal digits of a SHA-256 that make the checksum. */
     private static final int CHECKSUM_DIGITS = 16;
 
     private static final int HEAD_LENGTH = head(new byte[0]).length();
@@ -270,12 +272,12 @@ public final class Journal implements Closeable {
             .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
             .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES);
 
-    static String key(String plan, long seed) {
-      return plan + "/" + seed;
+    static String key(String planKey, long seed) {
+      return planKey + "/" + seed;
     }
 
-    /** The key of the plan within a key. */
-    static String plan(String key) {
+    /** The plan's key within the key of a run. */
+    static String planKey(String key) {
       return key.substring(0, Math.max(0, key.lastIndexOf('/')));
     }
 

@@ -7,10 +7,11 @@ import java.util.Optional;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * An engine that keeps finished runs in a journal and does not compute those again that it has.
+ * An engine that keeps finished runs in a journal, and does not compute again the runs that the
+ * journal already has.
  *
- * @param engine that computes the other runs; it is configured already
- * @param progress which is notified of each run
+ * @param engine the engine that computes the other runs, already configured
+ * @param progress the progress, which is notified of each run
  */
 public record JournalledEngine(RunEngine engine, Journal journal, RunProgress progress)
     implements RunEngine {
@@ -22,8 +23,8 @@ public record JournalledEngine(RunEngine engine, Journal journal, RunProgress pr
   /**
    * {@inheritDoc}
    *
-   * <p>Runs of the journal are taken first, then the others as they finish. Each is in the journal
-   * before it is taken, so that it is kept even if {@code finished} fails.
+   * <p>Runs in the journal are passed on first, then the others as they finish. A run is added to
+   * the journal before it is passed on, so that it is kept even if {@code finished} fails.
    *
    * @throws org.hificamsim.core.InputException when the journal has runs of other inputs of the
    *     same names

@@ -11,7 +11,7 @@ import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.runs.RunPlan;
 
-/** An engine that computes nothing: it takes the runs of a comparison from its shards' folders. */
+/** An engine that reads the runs of a comparison from the folders of its shards. */
 public final class MergedShards implements RunEngine {
   private final List<Path> folders;
 
@@ -62,14 +62,14 @@ public final class MergedShards implements RunEngine {
   @Override
   public void run(List<RunPlan> plans, List<RunTask> tasks, Finished finished) throws IOException {
     List<String> keys = RunKey.of(plans).stream().map(RunKey::text).toList();
-    Set<RunTask> wanted = new LinkedHashSet<>(tasks);
+    Set<RunTask> remaining = new LinkedHashSet<>(tasks);
     for (Path folder : folders) {
       try (Journal runs = Journal.ofShard(folder)) {
-        for (RunTask task : List.copyOf(wanted)) {
+        for (RunTask task : List.copyOf(remaining)) {
           Optional<FinishedRun> found = runs.find(keys.get(task.plan()), seed(plans, task));
           if (found.isPresent()) {
             finished.take(task, found.get());
-            wanted.remove(task);
+            remaining.remove(task);
           }
         }
       }

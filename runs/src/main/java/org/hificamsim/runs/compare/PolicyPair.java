@@ -22,11 +22,11 @@ record PolicyPair(PolicyScores first, PolicyScores second) {
     for (int i = 0; i < policies.size(); i++) {
       for (int other = 0; other < policies.size(); other++) {
         PolicyPair pair = new PolicyPair(policies.get(i), policies.get(other));
-        boolean isWanted =
+        boolean isCompared =
             reference.isAll()
                 ? i < other
                 : i != other && reference.policy().equals(pair.second.policy());
-        if (isWanted && pair.second.detection().equals(pair.first.detection())) {
+        if (isCompared && pair.second.detection().equals(pair.first.detection())) {
           pairs.add(pair);
         }
       }

@@ -10,12 +10,12 @@ import org.hificamsim.runs.statistics.Strata;
 /**
  * The results of a policy under a detection in all scenarios.
  *
- * @param cases one for each scenario
+ * @param cases the case of each scenario
  */
 public record PolicyScores(List<CaseResult> cases) {
   /** The policies of cases, in the order in which they first occur. */
   public static List<PolicyScores> of(List<CaseResult> cases) {
-    return Cases.by(
+    return Cases.group(
             cases, result -> List.of(result.plan().detection().name(), result.plan().policy()))
         .values()
         .stream()
@@ -23,12 +23,13 @@ public record PolicyScores(List<CaseResult> cases) {
         .toList();
   }
 
-  /** Cases with those of the best policy first; the optimum and other policies keep their order. */
+  /** Sorts cases by their policies' scores, the best first; policies that tie keep their order. */
   public static List<CaseResult> byScore(List<CaseResult> cases) {
     Metric metric = Yardstick.metric(cases);
     Map<String, Double> means =
         Cases.byPolicy(cases).entrySet().stream()
-            .collect(Collectors.toMap(Map.Entry::getKey, own -> mean(own.getValue(), metric)));
+            .collect(
+                Collectors.toMap(Map.Entry::getKey, policy -> mean(policy.getValue(), metric)));
     return cases.stream()
         .sorted(Comparator.comparingDouble(result -> -means.get(result.plan().policy())))
         .toList();

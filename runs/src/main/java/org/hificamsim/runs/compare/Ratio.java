@@ -11,11 +11,11 @@ import org.hificamsim.runs.statistics.Bootstrap;
 
 /**
  * The proportion of Table 8.1: the sum of the performance of several cases over the sum of that of
- * their optima. Intervals are computed by drawing seeds again; both sides of a difference get the
- * same seeds.
+ * their optima. Intervals are computed by a bootstrap over seeds; both sides of a difference get
+ * the same seeds.
  *
- * @param performance summed over the cases, by seed
- * @param optimum the performance of the optima, summed in the same way
+ * @param performance by seed, the performance summed over the cases
+ * @param optimum by seed, the performance of the optima summed over the cases
  */
 public record Ratio(double[] performance, double[] optimum) {
   /** The performance of cases over that of their own optima. */
@@ -45,21 +45,21 @@ public record Ratio(double[] performance, double[] optimum) {
 
   /** The ratio with its 95% interval; NaN if no optimum is above 0. */
   public Estimate estimate() {
-    return Bootstrap.of(performance.length, this::at);
+    return Bootstrap.of(performance.length, this::ofSeeds);
   }
 
-  /** The ratio without an interval, so that nothing has to be drawn. */
+  /** The ratio without an interval, which needs no bootstrap. */
   public double mean() {
-    return at(IntStream.range(0, performance.length).toArray());
+    return ofSeeds(IntStream.range(0, performance.length).toArray());
   }
 
   /** The difference to another ratio with its 95% interval. */
   public Estimate minus(Ratio other) {
-    return Bootstrap.of(performance.length, seeds -> at(seeds) - other.at(seeds));
+    return Bootstrap.of(performance.length, seeds -> ofSeeds(seeds) - other.ofSeeds(seeds));
   }
 
   /** The ratio for some seeds, given by their numbers, which may repeat. */
-  public double at(int[] seeds) {
+  public double ofSeeds(int[] seeds) {
     double numerator = 0;
     double denominator = 0;
     for (int seed : seeds) {

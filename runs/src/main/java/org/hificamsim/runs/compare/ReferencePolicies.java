@@ -19,6 +19,7 @@ import org.hificamsim.runs.RunPlan;
  * The yardsticks that a comparison runs in addition to its plans. The best fixed configuration is
  * left out of plans for which its search would take too much memory.
  *
+ * @param yardsticks the yardsticks to run
  * @param reachable the policy of {@link Yardstick#REACHABLE} with its options
  */
 public record ReferencePolicies(Set<Yardstick> yardsticks, String reachable) {
@@ -41,7 +42,7 @@ public record ReferencePolicies(Set<Yardstick> yardsticks, String reachable) {
     yardsticks = Set.copyOf(yardsticks);
   }
 
-  /** The runs that have the same yardsticks: those of all policies. */
+  /** The cases that share their yardsticks: those of all policies in one world. */
   record Group(Scenario scenario, Detection detection, int steps) {
     static Group of(RunPlan plan) {
       return new Group(plan.scenario(), plan.detection(), plan.steps());
@@ -49,20 +50,20 @@ public record ReferencePolicies(Set<Yardstick> yardsticks, String reachable) {
   }
 
   /**
-   * Reads names of yardsticks with commas between, or {@code none}.
+   * Reads names of yardsticks with commas between them, or {@code none}.
    *
-   * @param option that an error names
+   * @param option the option that an error names
    * @throws InputException when a name is unknown or occurs twice
    */
   public static ReferencePolicies parse(String option, String text) {
-    Set<Yardstick> asked = EnumSet.noneOf(Yardstick.class);
+    Set<Yardstick> named = EnumSet.noneOf(Yardstick.class);
     String reachable = Yardstick.REACHABLE.policy();
     for (String name :
         text.equals(NONE) ? List.<String>of() : Options.splitNames(text, part -> false)) {
       boolean added =
           Arrays.stream(Yardstick.values())
               .filter(yardstick -> yardstick.isRunBy(name))
-              .anyMatch(asked::add);
+              .anyMatch(named::add);
       if (!added) {
         throw new InputException(
             "%s is '%s', expected optimal, bound, best-fixed or reachable, each once with commas"
@@ -71,10 +72,10 @@ public record ReferencePolicies(Set<Yardstick> yardsticks, String reachable) {
       }
       reachable = Yardstick.REACHABLE.isRunBy(name) ? name : reachable;
     }
-    return new ReferencePolicies(asked, reachable);
+    return new ReferencePolicies(named, reachable);
   }
 
-  /** The plans, then the optima that they lack, then the other yardsticks. */
+  /** Returns the plans, then the optima that they lack, then the other yardsticks. */
   public List<RunPlan> with(List<RunPlan> plans) {
     List<RunPlan> all = new ArrayList<>(withOptimum(plans));
     if (yardsticks.contains(Yardstick.BEST_FIXED)) {
@@ -90,7 +91,7 @@ public record ReferencePolicies(Set<Yardstick> yardsticks, String reachable) {
     return all;
   }
 
-  /** The plans and the optima that they lack: the plans whose results are shown. */
+  /** Returns the plans and the optima that they lack, which are the plans that results show. */
   List<RunPlan> withOptimum(List<RunPlan> plans) {
     List<RunPlan> all = new ArrayList<>(plans);
     if (yardsticks.contains(Yardstick.OPTIMAL)) {
@@ -109,7 +110,7 @@ public record ReferencePolicies(Set<Yardstick> yardsticks, String reachable) {
     return List.copyOf(missing.values());
   }
 
-  /** The search keeps a bit for each step, target, camera and view. */
+  /** Whether the search has the memory to keep a bit for each step, target, camera and view. */
   private static boolean fits(RunPlan plan) {
     Scenario scenario = plan.scenario();
     double views = scenario.everyCamera().mapToDouble(camera -> views(scenario, camera)).sum();

@@ -6,9 +6,10 @@ import java.util.List;
 import org.hificamsim.core.InputException;
 
 /**
- * The policy that all others are compared with, one by one. Fewer comparisons need fewer seeds.
+ * The policy with which each other policy is compared. Fewer comparisons need fewer seeds.
  *
- * @param policy with its options, or {@code all}: every policy is compared with every other
+ * @param policy the policy with its options, or {@code all} to compare every policy with every
+ *     other
  */
 public record ReferencePolicy(String policy) {
   private static final String ALL = "all";
@@ -16,8 +17,8 @@ public record ReferencePolicy(String policy) {
   /**
    * Finds the reference among the policies of a comparison.
    *
-   * @param text null for the first policy
-   * @throws InputException if it names none of them
+   * @param text the name of the policy, or {@code all}; null for the first policy
+   * @throws InputException if there is no policy of this name
    */
   public static ReferencePolicy of(String text, List<String> policies) {
     if (text == null) {

@@ -29,16 +29,16 @@ public interface RunEngine {
    * <p>The first exception of a run or of {@code finished} ends the call with that exception; tasks
    * that have not begun are then dropped.
    *
-   * @param plans to which the tasks refer
-   * @param tasks may be empty
-   * @param finished takes each run once, as soon as it is finished; called from any thread
+   * @param plans the plans to which the tasks refer
+   * @param tasks the tasks, perhaps none
+   * @param finished receives each run once, as soon as it is finished; called from any thread
    */
   void run(List<RunPlan> plans, List<RunTask> tasks, Finished finished) throws IOException;
 
-  /** Takes finished runs. */
+  /** Receives finished runs. */
   @FunctionalInterface
   interface Finished {
-    /** Takes a run; several threads may call at the same time. */
+    /** Receives a run; several threads may call this at the same time. */
     void take(RunTask task, FinishedRun run) throws IOException;
   }
 

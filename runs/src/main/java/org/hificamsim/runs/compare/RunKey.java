@@ -37,18 +37,18 @@ import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.PolicyFiles;
 
 /**
- * All that the result of a run depends on except its seed: two runs with the same key and seed have
- * the same result.
+ * Identifies everything but the seed on which the result of a run depends: two runs with the same
+ * key and seed have the same result.
  *
- * @param inputs with a name and a content: this program, the users' classes on the class path, the
- *     scenario, the detection, the files that a policy reads
- * @param settings by their names, without those that only say which runs there are
+ * @param inputs the named inputs with their contents: this program, the users' classes on the class
+ *     path, the scenario, the detection, the files that a policy reads
+ * @param settings the values of settings by their names, without those that only select runs
  */
 public record RunKey(List<Input> inputs, Map<String, String> settings) {
   /**
    * A named input.
    *
-   * @param digest the digest of its content
+   * @param digest the digest of the input's content
    */
   public record Input(String kind, String name, String digest) {
     private boolean isChanged(Input other) {
@@ -63,12 +63,12 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
 
   private static final ObjectMapper MAPPER = new ObjectMapper();
 
-  /** The key of a plan's repeats. */
+  /** Returns the key of a plan's repeats. */
   public static RunKey of(RunPlan plan) {
     return of(List.of(plan)).get(0);
   }
 
-  /** The keys of plans, in the same order. */
+  /** Returns the keys of plans, in the order of the plans. */
   static List<RunKey> of(List<RunPlan> plans) {
     List<Input> program = new ArrayList<>(userCode());
     program.add(program(ManifestFile.version()));
@@ -88,7 +88,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
     return new RunKey(inputs, settings(plan));
   }
 
-  /** The scenario without what the key has among its settings. */
+  /** Removes from a scenario what the key has among its settings. */
   private static Scenario withoutSettings(Scenario scenario) {
     return scenario.without(Scenario.DETECTION).without(Scenario.OBJECTIVE).without(Scenario.STEPS);
   }
@@ -103,7 +103,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
     return settings;
   }
 
-  /** Reads a key; a text that is not a key becomes one of an unknown version. */
+  /** Reads a key; a text that is not a key becomes a key of an unknown version. */
   public static RunKey read(String text) {
     try {
       return MAPPER.readValue(text, RunKey.class);
@@ -112,7 +112,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
     }
   }
 
-  /** The key in one line. */
+  /** Writes the key as one line. */
   public String text() {
     try {
       return MAPPER.writeValueAsString(this);
@@ -122,8 +122,8 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
   }
 
   /**
-   * An input that has the same name but another content in another key; empty if results of both
-   * keys may be in one table. Settings are not compared.
+   * Finds an input that has the same name but another content in another key; empty if results of
+   * both keys may be in one table. Settings are not compared.
    */
   public Optional<String> changed(RunKey other) {
     return inputs.stream()
@@ -159,7 +159,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
         .map(ServiceLoader.Provider::type)
         .filter(type -> !isOurs(type))
         .sorted(Comparator.comparing(Class::getName))
-        .map(type -> new Input("jar of class", type.getName(), digest(place(type))))
+        .map(type -> new Input("jar of class", type.getName(), digest(jarOrFolder(type))))
         .toList();
   }
 
@@ -168,7 +168,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
     return type.getName().startsWith("org.hificamsim.");
   }
 
-  private static Path place(Class<?> type) {
+  private static Path jarOrFolder(Class<?> type) {
     try {
       return Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI());
     } catch (URISyntaxException e) {
@@ -180,13 +180,13 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
    * The digest of all files of a jar or folder except its manifest, hidden files and results. A
    * folder and the jar that is made of it for a cluster have the same digest.
    */
-  static String digest(Path place) {
-    if (Files.isDirectory(place)) {
-      return Io.get(() -> digestOfFiles(place));
+  static String digest(Path jarOrFolder) {
+    if (Files.isDirectory(jarOrFolder)) {
+      return Io.get(() -> digestOfFiles(jarOrFolder));
     }
     return Io.get(
         () -> {
-          try (FileSystem jar = FileSystems.newFileSystem(place)) {
+          try (FileSystem jar = FileSystems.newFileSystem(jarOrFolder)) {
             return digestOfFiles(jar.getPath("/"));
           }
         });

@@ -7,9 +7,10 @@ public interface RunProgress {
   void advance();
 
   /**
-   * Called once, before any other call, with the runs that an earlier call has finished.
+   * Called once, before any other call, with the number of runs that need not be computed because
+   * an earlier comparison has finished them.
    *
-   * @param runs their number, 0 or more
+   * @param runs the number of these runs, 0 or more
    */
   default void resume(long runs) {}
 }

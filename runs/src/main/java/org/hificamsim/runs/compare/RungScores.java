@@ -8,16 +8,16 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.ScoredRun;
 
 /**
- * The mean scores of a step of the policies in one scenario under one rung, or one detection of a
- * comparison. For k_min by chance it is the expected k_min, so that a policy that knows the luck
- * gains nothing by it.
+ * The mean scores of a step of policies in one scenario under one rung, or under one detection of a
+ * comparison. If detections happen by chance, the score of k_min is the expected k_min, so that
+ * knowing the luck is no advantage.
  *
- * @param score by policy, then by seed
- * @param optimum the mean score of the exact optimum, by seed; by chance, the optimum knows the
- *     luck
+ * @param score the mean score by policy, then by seed
+ * @param optimum the mean score of the exact optimum by seed; if detections happen by chance, the
+ *     optimum knows the luck
  */
 public record RungScores(double[][] score, double[] optimum) {
-  /** The scores of policies; all cases have the same scenario, detection and seeds. */
+  /** Returns the scores of policies, given cases of one scenario and detection. */
   public static RungScores of(List<CaseResult> cases) {
     return new RungScores(
         cases.stream().map(RungScores::score).toArray(double[][]::new),
@@ -87,7 +87,7 @@ public record RungScores(double[][] score, double[] optimum) {
         .orElseThrow();
   }
 
-  /** The mean over some policies, by seed. */
+  /** The mean over some policies for each seed. */
   double[] bySeed(int[] policies) {
     return IntStream.range(0, seeds())
         .mapToDouble(seed -> mean(policies, new int[] {seed}))

@@ -36,9 +36,9 @@ public record Shard(int number, int count) {
   }
 
   /**
-   * The runs of this part. Every run is in one part, and parts differ by at most one run, in each
-   * case and in total. The first seed moves on by one from case to case, so that a part gets other
-   * seeds of each.
+   * Returns the runs of this part. Every run is in one part, and parts differ by at most one run,
+   * in each case and in total. The first seed moves on by one from case to case, so that a part
+   * gets different seeds of different cases.
    *
    * @param plans the plans of the whole comparison
    */

@@ -19,7 +19,7 @@ import org.hificamsim.runs.ScoreText;
 import org.hificamsim.runs.output.TextTable;
 import org.hificamsim.runs.statistics.Aggregate;
 
-/** The summary of a comparison: the tables that it prints, and {@code summary.tex} for papers. */
+/** Makes the tables that a comparison prints, and {@code summary.tex} for papers. */
 public final class SummaryTables {
   private static final String LATEX = "summary.tex";
 
@@ -33,9 +33,9 @@ public final class SummaryTables {
   private static final Figure MEAN_K_MIN = new Figure("mean k_min", null, Metric.MEAN_SCORE);
   private static final Figure SCORE = new Figure("score", null, Metric.MEAN_SCORE);
   private static final Figure PROPORTION = share(Yardstick.OPTIMAL);
-  private static final Figure OF_BOUND = share(Yardstick.BOUND);
+  private static final Figure SHARE_OF_BOUND = share(Yardstick.BOUND);
 
-  private static final Figure OF_REACHABLE = share(Yardstick.REACHABLE);
+  private static final Figure SHARE_OF_REACHABLE = share(Yardstick.REACHABLE);
 
   /** In the row of the optimum, this is the value of adapting. */
   private static final Figure OVER_FIXED = share(Yardstick.BEST_FIXED);
@@ -46,20 +46,20 @@ public final class SummaryTables {
     return new Figure(yardstick.title(), "%.3f", yardstick.share());
   }
 
-  /** A row for each case, with its score and its share of the leading yardstick. */
+  /** A table with each case's score and its share of the main yardstick. */
   public static TextTable cases(List<CaseResult> cases) {
     List<Figure> figures = shown(cases);
     return table(cases, figures.subList(0, Math.min(2, figures.size())), true);
   }
 
-  /** The same with its shares of all yardsticks. */
+  /** A table with each case's score and its shares of all yardsticks. */
   public static TextTable casesInFull(List<CaseResult> cases) {
     return table(cases, shown(cases), true);
   }
 
   /** The meaning of the scores in each scenario; empty if all are k_min. */
   public static List<String> meanings(List<CaseResult> cases) {
-    return isOfKMin(cases)
+    return areScoredByKMin(cases)
         ? List.of()
         : cases.stream()
             .map(result -> result.plan().scenario())
@@ -68,7 +68,7 @@ public final class SummaryTables {
             .toList();
   }
 
-  /** A row for each case with its coverage, for cases whose scores are all 0. */
+  /** A table with each case's coverage, for cases whose scores are all 0. */
   public static TextTable coverage(List<CaseResult> cases) {
     List<Figure> figures =
         Stream.of(Metric.COVERED_0, Metric.COVERED_1, Metric.COVERED_K, Metric.MEAN_K)
@@ -80,29 +80,31 @@ public final class SummaryTables {
   /**
    * A line for each scenario and detection: the share of the bound that the best policy reaches.
    */
-  public static List<String> atLeast(List<CaseResult> cases) {
+  public static List<String> sharesOfBound(List<CaseResult> cases) {
     List<CaseResult> known =
-        cases.stream().filter(result -> !Double.isNaN(ofBound(result))).toList();
-    return Cases.by(known, result -> ReferencePolicies.Group.of(result.plan())).values().stream()
-        .map(group -> atLeast(Collections.max(group, comparingDouble(SummaryTables::ofBound))))
+        cases.stream().filter(result -> !Double.isNaN(shareOfBound(result))).toList();
+    return Cases.group(known, result -> ReferencePolicies.Group.of(result.plan())).values().stream()
+        .map(
+            group ->
+                lineOfBound(Collections.max(group, comparingDouble(SummaryTables::shareOfBound))))
         .toList();
   }
 
-  private static double ofBound(CaseResult result) {
+  private static double shareOfBound(CaseResult result) {
     return result.mean(Metric.PROPORTION_OF_BOUND).mean();
   }
 
-  private static String atLeast(CaseResult result) {
+  private static String lineOfBound(CaseResult result) {
     RunPlan plan = result.plan();
     return "%s, %s: %s reaches at least %s %% of what is possible"
         .formatted(
             plan.scenario().name(),
             plan.detection().name(),
             plan.policy(),
-            (int) Math.floor(100 * ofBound(result)));
+            (int) Math.floor(100 * shareOfBound(result)));
   }
 
-  /** A row for each detection and policy, over all scenarios. */
+  /** A table with aggregates over all scenarios for each detection and policy. */
   public static TextTable aggregates(List<PolicyScores> policies) {
     TextTable table =
         new TextTable(2, List.of("detection", "policy", "interquartile mean", "optimality gap"));
@@ -121,35 +123,35 @@ public final class SummaryTables {
   /**
    * Adds {@code summary.tex} to a folder's files.
    *
-   * @param asked the cases that were asked for: every policy under every detection in every
+   * @param requested the cases that were asked for: every policy under every detection in every
    *     scenario
-   * @param all also the optima that they are compared with
+   * @param all those cases and the optima that they are compared with
    */
-  public static void writeLatex(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
-      throws IOException {
+  public static void writeLatex(
+      OutputFolder folder, List<CaseResult> requested, List<CaseResult> all) throws IOException {
     CaseResult first = all.get(0);
-    String ofCases = "Means over %s seeds with 95%% intervals.".formatted(first.runs().size());
+    String seeds = "Means over %s seeds with 95%% intervals.".formatted(first.runs().size());
     String scores =
-        isOfKMin(all)
+        areScoredByKMin(all)
             ? " k_min is the mean of %s steps.".formatted(first.plan().steps())
             : meanings(all).stream().map(text -> " " + text + ".").collect(joining());
-    Optional<Yardstick> yardstick = Yardstick.of(asked);
+    Optional<Yardstick> yardstick = Yardstick.of(requested);
     List<Figure> figures = shown(all);
     try (Writer out = folder.open(LATEX)) {
       out.write("% \\usepackage{booktabs}\n");
-      out.write(table(all, figures, false).latex(ofCases + scores, "tab:hificamsim"));
+      out.write(table(all, figures, false).latex(seeds + scores, "tab:hificamsim"));
       if (yardstick.isPresent()) {
-        String ofAggregates =
+        String caption =
             "Aggregates over all runs, proportions of "
                 + yardstick.get().noun()
                 + ": interquartile mean and optimality gap with 95% intervals.";
-        TextTable aggregates = aggregates(PolicyScores.of(asked));
-        out.write("\n" + aggregates.latex(ofAggregates, "tab:hificamsim-aggregate"));
+        TextTable aggregates = aggregates(PolicyScores.of(requested));
+        out.write("\n" + aggregates.latex(caption, "tab:hificamsim-aggregate"));
       }
     }
   }
 
-  private static boolean isOfKMin(List<CaseResult> cases) {
+  private static boolean areScoredByKMin(List<CaseResult> cases) {
     return cases.stream().noneMatch(result -> result.plan().objective().hasOwnFigure());
   }
 
@@ -158,10 +160,10 @@ public final class SummaryTables {
     List<Figure> shown =
         new ArrayList<>(
             List.of(
-                isOfKMin(cases) ? MEAN_K_MIN : SCORE,
+                areScoredByKMin(cases) ? MEAN_K_MIN : SCORE,
                 PROPORTION,
-                OF_BOUND,
-                OF_REACHABLE,
+                SHARE_OF_BOUND,
+                SHARE_OF_REACHABLE,
                 OVER_FIXED));
     for (Yardstick yardstick : Yardstick.values()) {
       shown.removeIf(figure -> figure.metric == yardstick.share() && !yardstick.isIn(cases));
@@ -185,9 +187,9 @@ public final class SummaryTables {
   }
 
   /**
-   * The mean in a cell.
+   * Formats the mean of a metric for a cell.
    *
-   * @param showsCount whether the number of runs with a value is put first if not all have one
+   * @param showsCount whether the number of runs with a value comes first if some have none
    */
   private static String text(CaseResult result, Figure figure, boolean showsCount) {
     double[] figures = result.figures(figure.metric);
@@ -200,15 +202,16 @@ public final class SummaryTables {
             : result.mean(figure.metric).text(figure.format));
   }
 
-  /** The cases of each scenario and detection together, those with the highest score first. */
+  /** Sorts the cases of each scenario and detection by their scores, the highest first. */
   private static List<CaseResult> byScore(List<CaseResult> cases) {
     return Cases.byScenario(cases).values().stream()
-        .flatMap(own -> Cases.byDetection(own).values().stream())
-        .flatMap(group -> group.stream().sorted(comparingDouble(SummaryTables::lostScore)))
+        .flatMap(scenario -> Cases.byDetection(scenario).values().stream())
+        .flatMap(
+            detection -> detection.stream().sorted(comparingDouble(SummaryTables::negativeScore)))
         .toList();
   }
 
-  private static double lostScore(CaseResult result) {
+  private static double negativeScore(CaseResult result) {
     return -result.mean(Metric.MEAN_SCORE).mean();
   }
 }

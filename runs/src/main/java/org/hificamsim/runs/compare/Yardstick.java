@@ -9,8 +9,9 @@ import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.ScoredRun;
 
 /**
- * A policy that is run in addition, and with which all scores of the same scenario, detection and
- * seed are compared. If there are several, the first in this order is the main one.
+ * A policy with which all policies of the same scenario, detection and seed are compared, and which
+ * is run in addition for this purpose. If there are several, the first in this order is the main
+ * one.
  */
 @SuppressWarnings("ImmutableEnumChecker") // functions
 public enum Yardstick {
@@ -28,7 +29,10 @@ public enum Yardstick {
       "over best-fixed",
       ScoredRun::bestFixed,
       Metric.VALUE_OF_LEARNING),
-  /** The most that cameras could have scored in time: a plan and a bound, which is compared. */
+  /**
+   * The most that cameras whose moves take time could have scored: the score that a plan reached,
+   * and a bound, with which scores are compared.
+   */
   REACHABLE(
       "what cameras could reach in time",
       "of what was reachable, at least",
@@ -52,7 +56,7 @@ public enum Yardstick {
     return Arrays.stream(values()).filter(yardstick -> yardstick.isIn(cases)).findFirst();
   }
 
-  /** Whether a policy is a yardstick, and not one that a network could use. */
+  /** Whether a policy is a yardstick, as opposed to a policy that cameras could run. */
   static boolean isYardstick(String policy) {
     return Arrays.stream(values()).anyMatch(yardstick -> yardstick.isRunBy(policy));
   }
@@ -72,7 +76,7 @@ public enum Yardstick {
     return Spelling.of(this);
   }
 
-  /** Whether a policy, with its options, is the one that is run. */
+  /** Whether this yardstick runs a policy, given with its options. */
   boolean isRunBy(String policyText) {
     return policyText.equals(policy())
         || (this == REACHABLE && policyText.startsWith(policy() + ":"));
@@ -98,7 +102,7 @@ public enum Yardstick {
     return score.applyAsDouble(run);
   }
 
-  /** The metric that is a run's score over that of the yardstick. */
+  /** The metric that divides a run's score by that of the yardstick. */
   public Metric share() {
     return share;
   }

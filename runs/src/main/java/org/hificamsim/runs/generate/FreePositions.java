@@ -18,13 +18,15 @@ import org.hificamsim.core.scenario.spec.Zone;
 /**
  * Draws cameras and people at positions outside all walls.
  *
- * @param zones the zones in which the positions are; empty for the whole field
+ * @param zones the zones that contain the positions; empty for the whole field
  */
 public record FreePositions(
     Field field, Obstacles obstacles, List<Zone> zones, SplittableRandom random) {
-  private static final double MIN_SPEED = 0.8; // m/s
+  /** The speed of people, metres a second. */
+  private static final double MIN_SPEED = 0.8;
+
   private static final double MAX_SPEED = 1.6;
-  private static final double CENTIMETRES = 100; // of a metre
+  private static final double CENTIMETRES_PER_METRE = 100;
   private static final int MAX_TRIES = 10_000;
 
   /**
@@ -43,14 +45,14 @@ public record FreePositions(
   }
 
   /**
-   * Draws positions.
+   * Draws cameras or people.
    *
-   * @param make makes a camera or person of its number, from 1, and its position
+   * @param factory makes a camera or person of its number, from 1, and its position
    */
-  <T> List<T> draw(int count, BiFunction<Integer, Point, T> make) {
+  <T> List<T> draw(int count, BiFunction<Integer, Point, T> factory) {
     List<T> drawn = new ArrayList<>();
     while (drawn.size() < count) {
-      drawn.add(make.apply(drawn.size() + 1, position()));
+      drawn.add(factory.apply(drawn.size() + 1, position()));
     }
     return drawn;
   }
@@ -73,16 +75,17 @@ public record FreePositions(
 
   /** A length, rounded to centimetres. */
   static double rounded(double value) {
-    return Math.rint(value * CENTIMETRES) / CENTIMETRES;
+    return Math.rint(value * CENTIMETRES_PER_METRE) / CENTIMETRES_PER_METRE;
   }
 
+  /** Makes a camera that looks towards a random point. */
   CameraSpec camera(int number, Point position) {
     return DraftOptics.camera(
         "C" + number,
         number % 4 == 0 ? DraftOptics.BULLET : DraftOptics.DOME,
         position.x(),
         position.y(),
-        draw(field.minX(), field.maxX()), // the point that it looks at
+        draw(field.minX(), field.maxX()),
         draw(field.minY(), field.maxY()));
   }
 

@@ -13,13 +13,14 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
  * Generates cameras and targets at random positions of a field, with the zoom levels of the thesis
  * and, by default, the density of its cluster scenarios: 14 cameras on 30 m by 20 m.
  *
- * @param cameras 1 or more
- * @param targets 1 or more; they go straight at 1 m a step and are 0.66 m in size
- * @param area square metres for each camera, above 0
+ * @param cameras the number of cameras, 1 or more
+ * @param targets the number of targets, 1 or more, which go straight at 1 m a step and are 0.66 m
+ *     in size
+ * @param area the area for each camera, square metres, above 0
  * @param seed the seed of the positions and headings
  */
 public record RandomField(int cameras, int targets, double area, long seed) {
-  /** Square metres for each camera in the cluster scenarios. */
+  /** The area for each camera in the cluster scenarios, square metres. */
   public static final double CLUSTER_AREA = 30.0 * 20.0 / 14;
 
   /** The number of targets for each camera, about as in the published scenarios. */
@@ -28,7 +29,7 @@ public record RandomField(int cameras, int targets, double area, long seed) {
   private static final List<Double> ZOOMS = List.of(2.5, 3.75, 5.0, 6.25, 7.5);
   private static final double WIDTH_TO_HEIGHT = 1.5;
 
-  /** A field at the cluster scenarios' density with 0.6 targets for each camera. */
+  /** Returns a field at the cluster scenarios' density with 0.6 targets for each camera. */
   public static RandomField ofCameras(int cameras, long seed) {
     int targets = (int) Math.max(1, Math.round(TARGETS_PER_CAMERA * cameras));
     return new RandomField(cameras, targets, CLUSTER_AREA, seed);
@@ -39,7 +40,7 @@ public record RandomField(int cameras, int targets, double area, long seed) {
     return new Field(0, WIDTH_TO_HEIGHT * height, 0, height);
   }
 
-  /** The scenario, the same for the same arguments. */
+  /** Generates the scenario, which is the same for the same arguments. */
   public Scenario scenario() {
     Field field = field();
     SplittableRandom random = new SplittableRandom(seed);

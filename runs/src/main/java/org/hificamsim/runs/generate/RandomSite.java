@@ -22,20 +22,20 @@ import org.hificamsim.core.scenario.spec.StepOrder;
  * @param walls the number of walls, 0 or more
  */
 public record RandomSite(RandomField size, int walls) {
-  /** Square metres for each camera, as on a campus. */
+  /** The area for each camera, as on a campus, square metres. */
   public static final double AREA = 2_400;
 
   private static final int STEPS = 300;
   private static final double PEOPLE_PER_CAMERA = 1.5;
 
-  /** The default size: one and a half people for each camera. */
+  /** Returns the default size, which has one and a half people for each camera. */
   public static RandomField size(int cameras, long seed) {
     int people = (int) Math.max(1, Math.round(PEOPLE_PER_CAMERA * cameras));
     return new RandomField(cameras, people, AREA, seed);
   }
 
   /**
-   * The scenario, the same for the same arguments.
+   * Generates the scenario, which is the same for the same arguments.
    *
    * @throws org.hificamsim.core.InputException when there is no room for the walls
    */
@@ -61,10 +61,10 @@ public record RandomSite(RandomField size, int walls) {
    * each other and from the borders, so that nothing is enclosed.
    */
   private static final class RandomWalls {
-    private static final double MIN_LENGTH = 0.1; // of the scale, as the next two
-    private static final double MAX_LENGTH = 0.5;
-    private static final double GAP = 0.04;
-    private static final int MAX_TRIES = 1_000; // for one wall
+    private static final double MIN_LENGTH_PER_SCALE = 0.1;
+    private static final double MAX_LENGTH_PER_SCALE = 0.5;
+    private static final double GAP_PER_SCALE = 0.04;
+    private static final int MAX_TRIES_PER_WALL = 1_000;
 
     private final Field field;
     private final double scale;
@@ -72,7 +72,7 @@ public record RandomSite(RandomField size, int walls) {
     private final List<Wall> walls = new ArrayList<>();
 
     /**
-     * @param scale the side of the square that each camera has of the field, metres
+     * @param scale the side of a square with the area for one camera, metres
      */
     RandomWalls(Field field, double scale, SplittableRandom random) {
       this.field = field;
@@ -93,7 +93,7 @@ public record RandomSite(RandomField size, int walls) {
     }
 
     private void add(int count) {
-      for (int i = 0; i < MAX_TRIES; i++) {
+      for (int i = 0; i < MAX_TRIES_PER_WALL; i++) {
         Wall wall = draw();
         if (staysInside(wall) && walls.stream().allMatch(other -> areApart(wall, other))) {
           walls.add(wall);
@@ -112,7 +112,9 @@ public record RandomSite(RandomField size, int walls) {
     private Wall draw() {
       double x = FreePositions.rounded(random.nextDouble(field.minX(), field.maxX()));
       double y = FreePositions.rounded(random.nextDouble(field.minY(), field.maxY()));
-      double length = FreePositions.rounded(scale * random.nextDouble(MIN_LENGTH, MAX_LENGTH));
+      double length =
+          FreePositions.rounded(
+              scale * random.nextDouble(MIN_LENGTH_PER_SCALE, MAX_LENGTH_PER_SCALE));
       boolean isHorizontal = random.nextBoolean();
       return new Wall(
           x,
@@ -123,13 +125,13 @@ public record RandomSite(RandomField size, int walls) {
     }
 
     private boolean staysInside(Wall wall) {
-      double gap = scale * GAP;
+      double gap = scale * GAP_PER_SCALE;
       return field.contains(wall.x1() - gap, wall.y1() - gap)
           && field.contains(wall.x2() + gap, wall.y2() + gap);
     }
 
     private boolean areApart(Wall first, Wall second) {
-      double gap = scale * GAP;
+      double gap = scale * GAP_PER_SCALE;
       return first.x1() > second.x2() + gap
           || second.x1() > first.x2() + gap
           || first.y1() > second.y2() + gap

@@ -22,7 +22,7 @@ import org.hificamsim.core.scenario.track.Track;
  * other paths of targets, and another part of a recording. No camera and no path of a variant is
  * inside an obstacle.
  *
- * <p>The hash of a benchmark's task depends on the names here.
+ * <p>The hash of a benchmark's task depends on the names of this record's components.
  *
  * @param walls the largest share by which an obstacle may shrink, below 1
  * @param cameras the largest move of a camera in x and in y, metres
@@ -31,7 +31,7 @@ import org.hificamsim.core.scenario.track.Track;
  *     metres
  * @param training the first and last step of a recording at which training may begin; empty without
  *     a recording
- * @param testing the same for testing
+ * @param testing the first and last step of a recording at which testing may begin
  */
 public record SiteLayout(
     double walls,
@@ -45,19 +45,19 @@ public record SiteLayout(
   private static final int LEGS = 6;
   private static final int NEVER = Scenario.MAX_STEPS;
 
-  /** The variant of a site for a seed. */
+  /** Draws the variant of a site for a seed. */
   public Scenario draw(Scenario site, long seed, boolean isTesting) {
-    return new Drawing(site, new SplittableRandom(seed ^ SALT)).draw(isTesting);
+    return new VariantDrawing(site, new SplittableRandom(seed ^ SALT)).draw(isTesting);
   }
 
-  /** One variant that is being drawn. */
-  private final class Drawing {
+  /** Draws one variant. */
+  private final class VariantDrawing {
     private final Scenario site;
     private final Field field;
     private final SplittableRandom random;
     private Obstacles obstacles;
 
-    Drawing(Scenario site, SplittableRandom random) {
+    VariantDrawing(Scenario site, SplittableRandom random) {
       this.site = site;
       this.field = site.field();
       this.random = random;
@@ -72,19 +72,19 @@ public record SiteLayout(
               .withCameras(this::moved)
               .withTargets(this::withOtherPath);
       List<Integer> range = isTesting ? testing : training;
-      Scenario mirrored = mirror.of(drawn);
+      Scenario mirrored = mirror.mirror(drawn);
       return range.isEmpty()
           ? mirrored
           : startingAt(mirrored, random.nextInt(range.get(0), range.get(1) + 1), mirror);
     }
 
-    /** A number from {@code -most} to {@code most}. */
-    private double offset(double most) {
+    /** Draws a number from {@code -most} to {@code most}. */
+    private double drawOffset(double most) {
       return most * (2 * random.nextDouble() - 1);
     }
 
     private Waypoint near(Waypoint position, double most) {
-      return new Waypoint(position.x() + offset(most), position.y() + offset(most));
+      return new Waypoint(position.x() + drawOffset(most), position.y() + drawOffset(most));
     }
 
     private Obstacle shrunk(Obstacle obstacle) {
@@ -113,7 +113,7 @@ public record SiteLayout(
       return isFree(to) && obstacles.clear(from.x(), from.y(), to.x(), to.y());
     }
 
-    /** The first drawn position that is suitable; the old one after too many tries. */
+    /** Draws positions until one is suitable; returns the old one after too many tries. */
     private Waypoint drawn(Supplier<Waypoint> draw, Predicate<Waypoint> isSuitable, Waypoint old) {
       for (int i = 0; i < MAX_TRIES; i++) {
         Waypoint position = draw.get();
@@ -131,7 +131,7 @@ public record SiteLayout(
       return camera
           .with(CameraSpec.X, position.x())
           .with(CameraSpec.Y, position.y())
-          .with(CameraSpec.HEADING, camera.heading() + offset(turn));
+          .with(CameraSpec.HEADING, camera.heading() + drawOffset(turn));
     }
 
     private TargetSpec withOtherPath(TargetSpec target) {
@@ -147,7 +147,7 @@ public record SiteLayout(
           .with(TargetSpec.X, start.x())
           .with(TargetSpec.Y, start.y())
           .with(TargetSpec.HEADING, 360 * random.nextDouble())
-          .with(TargetSpec.SPEED, target.speed() * (1 + offset(0.2)))
+          .with(TargetSpec.SPEED, target.speed() * (1 + drawOffset(0.2)))
           .with(TargetSpec.WAYPOINTS, path);
     }
 
@@ -157,7 +157,10 @@ public record SiteLayout(
           field.minY() + field.height() * random.nextDouble());
     }
 
-    /** A path between corners that targets of the same width have in the site, and back again. */
+    /**
+     * Draws a path and the way back, between corners of the paths that targets of the same width
+     * have in the site.
+     */
     private List<Waypoint> path(TargetSpec target) {
       List<Waypoint> corners =
           site.everyTarget()
@@ -186,14 +189,14 @@ public record SiteLayout(
       return path.size() > 1 ? path : target.waypoints();
     }
 
-    /** Recorded targets from a step on; targets that have left before it never appear. */
+    /** Cuts recorded targets at a first step; targets that have left before it never appear. */
     private Scenario startingAt(Scenario drawn, int begin, Mirror mirror) {
       List<ScenarioEvent> events = new ArrayList<>();
       for (ScenarioEvent event : drawn.events()) {
         if (event instanceof ScenarioEvent.AddTarget add) {
           Track old = add.target().track().orElseThrow();
           boolean hasLeft = old.lastStep() < begin;
-          Track track = hasLeft ? old : old.from(begin * old.stepTime(), mirror::of);
+          Track track = hasLeft ? old : old.from(begin * old.stepTime(), mirror::mirror);
           int step = hasLeft ? NEVER : (int) Math.max(0, track.firstStep());
           events.add(new ScenarioEvent.AddTarget(step, add.target().along(track)));
         } else if (event instanceof ScenarioEvent.RemoveTarget remove && remove.step() > begin) {
@@ -211,20 +214,20 @@ public record SiteLayout(
    * @param northSouth whether north and south are swapped
    */
   private record Mirror(Field field, boolean eastWest, boolean northSouth) {
-    Scenario of(Scenario site) {
+    Scenario mirror(Scenario site) {
       return site.with(
               Scenario.OBSTACLES,
-              site.obstacles().stream().map(obstacle -> moved(obstacle, 1, this::of)).toList())
-          .withCameras(this::of)
-          .withTargets(this::of);
+              site.obstacles().stream().map(obstacle -> moved(obstacle, 1, this::mirror)).toList())
+          .withCameras(this::mirror)
+          .withTargets(this::mirror);
     }
 
-    Point of(Point point) {
-      Waypoint mirrored = of(new Waypoint(point.x(), point.y()));
+    Point mirror(Point point) {
+      Waypoint mirrored = mirror(new Waypoint(point.x(), point.y()));
       return new Point(mirrored.x(), mirrored.y());
     }
 
-    Waypoint of(Waypoint position) {
+    Waypoint mirror(Waypoint position) {
       return new Waypoint(
           eastWest ? field.minX() + field.maxX() - position.x() : position.x(),
           northSouth ? field.minY() + field.maxY() - position.y() : position.y());
@@ -235,24 +238,24 @@ public record SiteLayout(
       return eastWest ? -turned : turned;
     }
 
-    private CameraSpec of(CameraSpec camera) {
-      Waypoint position = of(new Waypoint(camera.x(), camera.y()));
+    private CameraSpec mirror(CameraSpec camera) {
+      Waypoint position = mirror(new Waypoint(camera.x(), camera.y()));
       return camera
           .with(CameraSpec.X, position.x())
           .with(CameraSpec.Y, position.y())
           .with(CameraSpec.HEADING, heading(camera.heading()));
     }
 
-    private TargetSpec of(TargetSpec target) {
-      Waypoint position = of(new Waypoint(target.x(), target.y()));
+    private TargetSpec mirror(TargetSpec target) {
+      Waypoint position = mirror(new Waypoint(target.x(), target.y()));
       return target
           .with(TargetSpec.X, position.x())
           .with(TargetSpec.Y, position.y())
           .with(TargetSpec.HEADING, heading(target.heading()))
-          .with(TargetSpec.WAYPOINTS, target.waypoints().stream().map(this::of).toList());
+          .with(TargetSpec.WAYPOINTS, target.waypoints().stream().map(this::mirror).toList());
     }
 
-    /** An obstacle with its points moved and its radius, if it has one, multiplied by a factor. */
+    /** Moves an obstacle's points, and multiplies its radius, if it has one, by a factor. */
     static Obstacle moved(Obstacle obstacle, double factor, UnaryOperator<Waypoint> move) {
       if (obstacle instanceof Obstacle.Pillar pillar) {
         Waypoint centre = move.apply(new Waypoint(pillar.x(), pillar.y()));

@@ -7,8 +7,8 @@ import java.util.stream.IntStream;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
 /**
- * The figures of a cell that pictures and pages of a heat map can show. A cell with NaN is left
- * empty; 0 has a colour of its own.
+ * The figures of a cell that pictures and pages of a heat map can show. A cell whose figure is NaN
+ * stays empty; 0 has a colour of its own.
  */
 @SuppressWarnings("ImmutableEnumChecker") // functions
 public enum HeatFigure {
@@ -58,7 +58,7 @@ public enum HeatFigure {
   }
 
   /** The figure of a cell; NaN if it has none. */
-  public double of(Place place) {
+  public double figureOf(Place place) {
     return figure.applyAsDouble(place);
   }
 
@@ -75,7 +75,11 @@ public enum HeatFigure {
   /** The end of the scale: a whole number of cameras, all steps or visits, or the largest count. */
   public double end(HeatMap map) {
     double most =
-        map.places().stream().mapToDouble(this::of).filter(value -> value > 0).max().orElse(1);
+        map.places().stream()
+            .mapToDouble(this::figureOf)
+            .filter(value -> value > 0)
+            .max()
+            .orElse(1);
     return unit == Unit.SHARE ? 1 : Math.max(1, Math.ceil(most));
   }
 

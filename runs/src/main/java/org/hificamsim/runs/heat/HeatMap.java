@@ -8,7 +8,7 @@ import org.hificamsim.runs.cells.FieldCells;
 /**
  * The coverage of each cell of a field over the steps of one or more runs.
  *
- * @param places one for each cell, in the order of {@link FieldCells}
+ * @param places the coverage of each cell, in the order of {@link FieldCells}
  */
 public record HeatMap(FieldCells cells, List<Place> places) {
   /**
@@ -16,12 +16,13 @@ public record HeatMap(FieldCells cells, List<Place> places) {
    *
    * @param meanK the number of cameras that would detect a target of the usual size in the centre,
    *     the mean over the steps; by chance, the expected number. NaN inside a solid obstacle
-   * @param covered0 the share of steps in which no camera would; by chance, the mean probability
-   * @param covered1 the same for exactly one camera
-   * @param coveredK the same for two or more cameras
+   * @param covered0 the share of steps in which no camera would detect it; by chance, the mean
+   *     probability
+   * @param covered1 the share of steps in which exactly one camera would detect it
+   * @param coveredK the share of steps in which two or more cameras would detect it
    * @param visits the number of targets in the cell, summed over the steps
-   * @param visitsMeanK the mean number of cameras that detected them; NaN without visits
-   * @param visitsCovered0 the share of them that no camera detected; NaN without visits
+   * @param visitsMeanK the mean number of cameras that detected these targets; NaN without visits
+   * @param visitsCovered0 the share of visits that no camera detected; NaN without visits
    */
   public record Place(
       double meanK,
@@ -37,22 +38,22 @@ public record HeatMap(FieldCells cells, List<Place> places) {
     }
   }
 
-  /** The share of the free area and the steps in which one or more cameras would detect. */
+  /** The share of free area and steps in which one or more cameras would detect a target. */
   public double covered() {
     return mean(place -> 1 - place.covered0);
   }
 
-  /** The same for two or more cameras. */
+  /** The share of free area and steps in which two or more cameras would detect a target. */
   public double coveredK() {
     return mean(Place::coveredK);
   }
 
-  /** The share of the free area in which no camera would ever detect. */
+  /** The share of the free area in which no camera would ever detect a target. */
   public double blind() {
     return mean(place -> place.meanK == 0 ? 1 : 0);
   }
 
-  /** The three shares in words. */
+  /** Describes the shares that are covered once, covered twice and never covered. */
   public String shares() {
     return Texts.format(
         "of area and steps %.1f %% covered by 1 or more cameras, %.1f %% by 2 or more;"

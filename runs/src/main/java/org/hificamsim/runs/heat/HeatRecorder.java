@@ -15,21 +15,21 @@ import org.hificamsim.runs.cells.ViewCells;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
 /**
- * Makes a heat map of the steps that it receives, run by run. What a camera sees of the cells is
- * computed once for each view, and steps in which all cameras see what they saw in the step before
- * are only counted. Detections are independent, so the probabilities of no camera and of one camera
- * follow from the chances of each camera.
+ * Makes a heat map of the steps that it receives, run by run. The cells that a camera sees are
+ * computed once for each view, and steps in which all cameras see the same as in the step before
+ * are only counted. Detections are independent, so the probabilities that no camera or one camera
+ * detects follow from the chances of each camera.
  */
 public final class HeatRecorder implements StepListener {
   private final FieldCells cells;
   private final Obstacles obstacles;
   private final ViewCells views;
 
-  /** The probability that no camera detects, by cell; of the steps that are being added. */
+  /** By cell: the probability that no camera detects, in the steps that are being added. */
   private final double[] chanceOfNone;
 
   /**
-   * The probability that exactly one camera detects, by cell; of the steps that are being added.
+   * By cell: the probability that exactly one camera detects, in the steps that are being added.
    */
   private final double[] chanceOfOne;
 
@@ -47,7 +47,7 @@ public final class HeatRecorder implements StepListener {
   private long addedSteps;
 
   /**
-   * @param world the world of the first run, for what is the same in all runs
+   * @param world the world of the first run, which has the field and obstacles of all runs
    * @param along the number of cells along the field's longer side
    */
   public HeatRecorder(World world, Detection detection, int along) {
@@ -83,7 +83,8 @@ public final class HeatRecorder implements StepListener {
     for (int target = 0; target < network.targets(); target++) {
       if (network.present(target)) {
         addVisit(
-            cells.at(network.targetX(target), network.targetY(target)), network.coverage(target));
+            cells.cellAt(network.targetX(target), network.targetY(target)),
+            network.coverage(target));
       }
     }
   }

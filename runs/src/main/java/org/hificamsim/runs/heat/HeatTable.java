@@ -17,7 +17,7 @@ import org.hificamsim.runs.output.Table;
 
 /** Writes and reads a heat map as a table with a row per cell. */
 public final class HeatTable {
-  /** Shares and metres are rounded to a millionth. */
+  /** The unit in which shares and metres are rounded is a millionth. */
   private static final double MILLIONTHS = 1e6;
 
   private static final double ROUNDING = 1e-5;
@@ -25,15 +25,15 @@ public final class HeatTable {
   /** A cell with its coverage. */
   record Row(FieldCells cells, int cell, Place place) {}
 
-  /** A row per cell of the field, over all steps of all repeats. */
+  /** A table with a row for each cell of the field, over all steps of all repeats. */
   public static final Table<Row> TABLE =
       Table.<Row>of(ResultFolder.HEATMAP)
           .ints("column", "", "from the left, from 0", row -> row.cell % row.cells.columns())
           .ints("row", "", "from below, from 0", row -> row.cell / row.cells.columns())
-          .doubles("x", "m", "its middle", row -> rounded(row.cells.x(row.cell)))
-          .doubles("y", "m", "its middle", row -> rounded(row.cells.y(row.cell)))
-          .doubles("width", "m", "how wide it is", row -> rounded(row.cells.width()))
-          .doubles("height", "m", "how high it is", row -> rounded(row.cells.height()))
+          .doubles("x", "m", "centre of the cell", row -> rounded(row.cells.x(row.cell)))
+          .doubles("y", "m", "centre of the cell", row -> rounded(row.cells.y(row.cell)))
+          .doubles("width", "m", "width of the cell", row -> rounded(row.cells.width()))
+          .doubles("height", "m", "height of the cell", row -> rounded(row.cells.height()))
           .doubles(
               "mean_k",
               "cameras",

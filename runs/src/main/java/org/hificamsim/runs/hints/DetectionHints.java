@@ -20,8 +20,8 @@ public final class DetectionHints {
   private DetectionHints() {}
 
   /**
-   * The warnings, each one line; empty if there is nothing to warn of. It moves the targets for up
-   * to a hundred steps to see how near they come to a camera.
+   * Returns the warnings, one line each; an empty list if there are none. The targets are moved for
+   * up to a hundred steps to find out how near they come to a camera.
    */
   public static List<String> of(Scenario scenario, Detection detection, Catalogue catalogue) {
     return Stream.of(
@@ -54,7 +54,7 @@ public final class DetectionHints {
         : Optional.empty();
   }
 
-  /** Warns if a model of CamSim, which knows no heights, gets cameras that have one. */
+  /** Warns if a model of CamSim, which ignores heights, is used for cameras with heights. */
   private static Optional<String> flatModel(Scenario scenario, Detection detection) {
     return scenario.hasHeights() && detection.model().flat()
         ? Optional.of(

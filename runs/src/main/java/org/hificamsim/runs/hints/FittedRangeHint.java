@@ -21,8 +21,8 @@ import org.hificamsim.runs.ShortNumber;
  * the model was fitted on, where that is known.
  */
 final class FittedRangeHint {
-  /** Metres; a smaller focal length stands for a camera without a lens. */
-  private static final double NO_LENS = 1e-6;
+  /** The least focal length of a lens, metres; a smaller one stands for a camera without a lens. */
+  private static final double MIN_FOCAL_LENGTH = 1e-6;
 
   private FittedRangeHint() {}
 
@@ -42,7 +42,7 @@ final class FittedRangeHint {
     DoubleStream focalLengths =
         zooms.stream()
             .mapToDouble(model.optics()::focalLength)
-            .filter(focalLength -> focalLength > NO_LENS);
+            .filter(focalLength -> focalLength > MIN_FOCAL_LENGTH);
     // a target that is nearer than in any photo fills the image, and is detected
     Span distances = new Span(0, fitted.distance().most());
     List<String> outside = new ArrayList<>();

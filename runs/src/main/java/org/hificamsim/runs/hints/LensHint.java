@@ -11,7 +11,7 @@ import org.hificamsim.hifi.OpticalDetection;
 import org.hificamsim.hifi.optics.Optics;
 import org.hificamsim.runs.ShortNumber;
 
-/** Warns of cameras whose viewing angle is not the one that their focal lengths give. */
+/** Warns of cameras whose viewing angle contradicts their focal lengths. */
 final class LensHint {
   private static final double TOLERANCE = 1.1;
   private static final double FULL_CIRCLE = 360;
@@ -73,7 +73,7 @@ final class LensHint {
     return Math.toDegrees(optics.angleOfView(optics.focalLength(zoom)));
   }
 
-  /** The height at which the widest radius has the viewing angle (Eq 3.2), if there is one. */
+  /** Proposes a height at which the widest radius has the viewing angle (Eq 3.2), if one exists. */
   private String proposedHeight(CameraSpec camera) {
     double radius = last(zoomLevels(camera)).radius();
     double height = radius / Math.tan(Math.toRadians(camera.viewingAngle()) / 2);

@@ -18,16 +18,19 @@ import org.hificamsim.runs.compare.Yardstick;
 
 /**
  * Estimates before a comparison how long its exact optima will take. A few steps of a run take a
- * hundred times as long as others, so it tries steps of the whole run, each with a limited search.
+ * hundred times as long as others, so steps from all over the run are tried, each with a limited
+ * search.
  */
 public final class OptimumTime {
-  private static final double ENOUGH_SECONDS = 1; // of a trial
-  private static final double MAX_SECONDS = 4; // of a trial
+  private static final double ENOUGH_TRIAL_SECONDS = 1;
+  private static final double MAX_TRIAL_SECONDS = 4;
   private static final int FEW_STEPS = 4;
   private static final int MANY_STEPS = 64;
-  private static final int FIRST_STEPS = 1024; // among which steps are tried
 
-  /** The search nodes of a step that is tried, and how many times more a real step may use. */
+  /** Steps are tried among this many first steps of a run. */
+  private static final int FIRST_STEPS = 1024;
+
+  /** The limit of search nodes in a step that is tried; a real step may use 100 times as many. */
   private static final int NODES = 10_000;
 
   private static final double NODES_FACTOR = 100;
@@ -37,14 +40,14 @@ public final class OptimumTime {
   private final Catalogue catalogue;
   private final int threads;
 
-  /** Estimates for a comparison that so many threads compute. */
+  /** Creates estimates for a comparison that is computed by a number of threads. */
   public OptimumTime(Catalogue catalogue, int threads) {
     this.catalogue = catalogue;
     this.threads = threads;
   }
 
   /**
-   * An estimate; each time is an upper one.
+   * An upper estimate of times.
    *
    * @param slowest the scenario whose optimum takes longest
    * @param secondsPerStep the seconds per step of that scenario
@@ -74,13 +77,17 @@ public final class OptimumTime {
                     Duration.ofSeconds((long) seconds)));
   }
 
-  /** Tries more steps if the first few were quick: their code is not compiled yet. */
+  /**
+   * Tries more steps if the first few were quick, since these ran before Java compiled the code.
+   */
   private Trial trial(RunPlan plan) {
     Trial trial = new Trial(plan, FEW_STEPS);
-    return trial.triedSeconds < ENOUGH_SECONDS ? new Trial(plan, MANY_STEPS) : trial;
+    return trial.triedSeconds < ENOUGH_TRIAL_SECONDS ? new Trial(plan, MANY_STEPS) : trial;
   }
 
-  /** Cameras that never change, while every n-th step's optimum is searched and timed. */
+  /**
+   * A run whose cameras never change, while the optimum of every n-th step is searched and timed.
+   */
   private final class Trial implements OraclePolicy {
     private final ProvingZoomPolicy optimal =
         (ProvingZoomPolicy)
@@ -90,7 +97,7 @@ public final class OptimumTime {
     private int tried;
     private double triedSeconds;
 
-    /** Seconds if each search that gave up its proof had used all nodes of a real run. */
+    /** The seconds if each search that gave up its proof had used all nodes of a real run. */
     private double mostSeconds;
 
     Trial(RunPlan plan, int stepsToTry) {
@@ -100,7 +107,7 @@ public final class OptimumTime {
       World world = new World(plan.scenario(), catalogue.movements(), plan.seed());
       Simulation run = new Simulation(world, plan.detection(), this, plan.seed(), List.of());
       long start = System.nanoTime();
-      for (int step = 0; step < steps && secondsSince(start) < MAX_SECONDS; step++) {
+      for (int step = 0; step < steps && secondsSince(start) < MAX_TRIAL_SECONDS; step++) {
         run.step();
       }
     }
@@ -109,7 +116,7 @@ public final class OptimumTime {
       return mostSeconds / tried;
     }
 
-    /** Seconds of all runs of the plan. */
+    /** The seconds of all runs of the plan. */
     double planSeconds() {
       return secondsPerStep() * plan.work();
     }

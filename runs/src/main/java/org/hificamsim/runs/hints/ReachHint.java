@@ -12,8 +12,8 @@ import org.hificamsim.runs.Reach;
 import org.hificamsim.runs.ShortNumber;
 
 /**
- * Warns if hardly any target comes near enough to a camera to be detected, and says what would
- * detect them.
+ * Warns if hardly any target comes near enough to a camera to be detected, and proposes a model
+ * that would detect them.
  */
 final class ReachHint {
   /** The least share of targets within reach for which no warning is given. */
@@ -25,7 +25,7 @@ final class ReachHint {
 
   private static final int MAX_STEPS = 100;
 
-  /** The most distances that are computed, so that a large scenario takes a moment too. */
+  /** The most distances that are computed, so that large scenarios do not take longer. */
   private static final int MAX_DISTANCES = 1_000_000;
 
   private ReachHint() {}
@@ -80,7 +80,7 @@ final class ReachHint {
     return Math.sqrt(leastSquare);
   }
 
-  /** The first model that reaches half of the targets. */
+  /** Proposes the first model that reaches half of the targets. */
   private static String remedy(Scenario scenario, double distance, Catalogue catalogue) {
     for (String name : ALTERNATIVES) {
       Detection alternative = Detection.of(catalogue.detection(name));

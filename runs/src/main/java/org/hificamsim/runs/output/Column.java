@@ -10,7 +10,7 @@ import org.hificamsim.core.file.Rows;
  * @param name the name in the table
  * @param kind the kind of the cells
  * @param unit the unit of the numbers; empty if they have none
- * @param meaning for the documentation
+ * @param meaning the meaning, for the documentation
  * @param cell writes the cell of a row
  */
 public record Column<R>(String name, Kind kind, String unit, String meaning, Cell<R> cell) {
@@ -26,15 +26,15 @@ public record Column<R>(String name, Kind kind, String unit, String meaning, Cel
     TEXT
   }
 
-  /** Writes the cell of a row; a number is not boxed. */
+  /** Writes the cell of a row, without boxing numbers. */
   @FunctionalInterface
   public interface Cell<R> {
     /** Writes the cell. */
     void add(R row, Rows to);
   }
 
-  /** The same column for a table whose rows contain an object of this column's type. */
-  <S> Column<S> of(Function<S, R> part) {
+  /** Adapts the column to a table whose rows contain an object of this column's type. */
+  <S> Column<S> forPart(Function<S, R> part) {
     return new Column<>(name, kind, unit, meaning, (row, to) -> cell.add(part.apply(row), to));
   }
 }

@@ -21,8 +21,8 @@ import org.hificamsim.runs.RunPlan;
 /**
  * Writes {@code ro-crate-metadata.json}, which describes a folder of results as an RO-Crate 1.1:
  * the command, the program, the inputs, and each file. The settings are in the files that it names.
- * It is written after all other files, and contains times like {@code manifest.json}. The resource
- * {@code crate.json} has what is the same in all crates.
+ * It is written after all other files, and contains times like {@code manifest.json}. The parts
+ * that all crates have in common are in the resource {@code crate.json}.
  */
 public final class CrateFile {
   private static final Map<String, String> FORMATS =
@@ -44,7 +44,7 @@ public final class CrateFile {
    * Adds the file to those of a folder that are to be committed; {@code manifest.json} has to be
    * among them.
    *
-   * @param plans that were run
+   * @param plans the plans that were run
    */
   public static void write(OutputFolder folder, List<RunPlan> plans) throws IOException {
     JsonNode crate = new ObjectMapper().readTree(Io.resource(CrateFile.class, "crate.json"));
@@ -119,7 +119,7 @@ public final class CrateFile {
     files.forEach(name -> list.addObject().put("@id", id(name)));
   }
 
-  /** The name as a relative URI reference. */
+  /** Writes a name as a relative URI reference. */
   private static String id(String name) {
     try {
       return new URI(null, null, "/" + name, null).getRawPath().substring(1);

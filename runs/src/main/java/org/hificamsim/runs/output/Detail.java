@@ -2,7 +2,7 @@ package org.hificamsim.runs.output;
 
 import org.hificamsim.core.scenario.Scenario;
 
-/** How much of each step is written to the folder of a run. */
+/** The detail in which each step is written to the folder of a run. */
 public enum Detail {
   /** The coverage of all cameras together. */
   STEPS,

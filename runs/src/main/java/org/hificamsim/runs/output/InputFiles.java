@@ -30,7 +30,7 @@ public final class InputFiles {
 
   private InputFiles() {}
 
-  /** Whether a file of a folder of results is such an input. */
+  /** Whether a file in a folder of results is an input. */
   static boolean isInput(String name) {
     return name.startsWith(SCENARIO) || name.startsWith(DETECTION) || name.startsWith(POLICY);
   }
@@ -52,7 +52,7 @@ public final class InputFiles {
     }
   }
 
-  /** The different parts of plans. Hashing deeply nested records would be slower. */
+  /** The distinct parts of plans, compared one by one: hashing nested records would be slower. */
   private static <T> List<T> distinct(List<RunPlan> plans, Function<RunPlan, T> part) {
     List<T> distinct = new ArrayList<>();
     for (RunPlan plan : plans) {
@@ -71,8 +71,8 @@ public final class InputFiles {
   }
 
   /**
-   * The scenario as it was run: if it names a detection, it gets the one that it was run with, and
-   * a model file is the copy in the folder; if there were several detections, it names none.
+   * The scenario as it was run. A scenario that names a detection gets the one that it was run
+   * with, by the copy in the folder if that is a file; if it was run with several, it names none.
    */
   private static Scenario asRun(RunPlan plan, List<RunPlan> plans, Map<String, byte[]> models) {
     Scenario scenario = plan.scenario();
@@ -112,7 +112,7 @@ public final class InputFiles {
         : detection.rule().text().replace(',', ';');
   }
 
-  /** Adds the file of a fitted model. A model that is code has none: its name has to do. */
+  /** Adds the file of a fitted model. A model that is code has no file, only its name. */
   private static void add(Map<String, byte[]> files, DetectionModel model) {
     if (model instanceof FittedDetection fitted) {
       String name = DETECTION + fitted.name().replaceAll("[^\\w.+-]", "-");
@@ -127,7 +127,7 @@ public final class InputFiles {
     files.put(copy, PolicyFiles.content(policy));
   }
 
-  /** A name that is free, with a number if another content has the name already. */
+  /** Returns a name that no other file has, with a number if necessary. */
   private static String freeName(Map<String, byte[]> files, String name, String ending) {
     String free = name + ending;
     for (int i = 2; files.containsKey(free); i++) {

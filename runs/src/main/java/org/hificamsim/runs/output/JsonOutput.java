@@ -8,7 +8,7 @@ import org.hificamsim.core.file.OutputFolder;
 
 /** Writes JSON files: indented, with a line end at the end. */
 public final class JsonOutput {
-  /** Below it every whole number has a double of its own. */
+  /** The number up to which doubles represent every whole number exactly. */
   private static final double MAX_WHOLE = 1L << 53;
 
   private JsonOutput() {}

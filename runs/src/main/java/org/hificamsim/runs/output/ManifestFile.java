@@ -14,8 +14,9 @@ import java.util.Optional;
 import org.hificamsim.core.file.OutputFolder;
 
 /**
- * Writes {@code manifest.json}: when a command started, what it was, on which system, and how long
- * it took. It differs between equal runs, like {@code ro-crate-metadata.json}, which is made of it.
+ * Writes {@code manifest.json}: the command, when it started, on which system, and how long it
+ * took. The file differs between equal runs, and so does {@code ro-crate-metadata.json}, which is
+ * made from it.
  */
 public final class ManifestFile {
   private ManifestFile() {}

@@ -16,9 +16,7 @@ import org.hificamsim.core.registry.Registry;
 public final class PolicyFiles {
   private final Registry<ZoomPolicy> policies = Catalogue.load().policies();
 
-  /**
-   * The files of a policy and those that its options name; none if the policy is not known here.
-   */
+  /** Returns the files of a policy and those that its options name; none for an unknown policy. */
   public List<Path> of(String policy) {
     if (!policies.knows(policy)) {
       return List.of();

@@ -18,7 +18,7 @@ import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 
-/** A folder that a command has written: its files other than the {@link Table tables}. */
+/** The folder that a command has written, with its files other than the {@link Table tables}. */
 public record ResultFolder(Path path) {
   public static final String SUMMARY = "summary.json";
   public static final String SETTINGS = "settings.json";
@@ -76,7 +76,7 @@ public record ResultFolder(Path path) {
     return command(words);
   }
 
-  /** A command line of these words, quoted for a shell. */
+  /** Joins words to a command line, quoted for a shell. */
   public static String command(List<String> words) {
     return Stream.concat(Stream.of("./hificamsim"), words.stream().map(ResultFolder::quoted))
         .collect(Collectors.joining(" "));
@@ -100,9 +100,9 @@ public record ResultFolder(Path path) {
   }
 
   /**
-   * The results of the last command, from its RO-Crate: they would look like results of the next
-   * one. Its inputs are not among them, because the next command may read them. Empty if there is
-   * no crate, or a damaged one.
+   * The results of the last command, read from its RO-Crate, which would look like results of the
+   * next command. Inputs are not among them, because the next command may read them. Empty if the
+   * crate is missing or damaged.
    */
   private List<String> resultsOfLastCommand() {
     if (!Files.isRegularFile(path.resolve(CRATE))) {

@@ -32,10 +32,10 @@ public final class RunFolder implements Closeable {
                   ResultFolder.REPORT))
           .toList();
 
-  /** The key in {@code summary.json} of the shares of zones that are seen as they ask. */
+  /** The key in {@code summary.json} of the shares of zones that are seen as they demand. */
   public static final String ZONES = "zones";
 
-  /** Files that every run writes; whether they may be replaced is checked before the run. */
+  /** Files that every run writes. Before the run it is checked that they may be replaced. */
   private static final List<String> REQUIRED = List.of(ResultFolder.SUMMARY, ResultFolder.MANIFEST);
 
   private final OutputFolder folder;
@@ -49,7 +49,7 @@ public final class RunFolder implements Closeable {
   /**
    * Begins the tables.
    *
-   * @param folder which is closed together with this object
+   * @param folder the folder, which is closed together with this object
    * @param detection the detection of the run; by chance, tables have more columns
    * @param detail the detail of each step
    * @param format the format of the tables of steps, cameras and targets
@@ -72,31 +72,31 @@ public final class RunFolder implements Closeable {
     }
   }
 
-  /** A listener that writes one repeat. */
+  /** Returns a listener that writes one repeat. */
   public StepListener listener(int run) {
-    StepCursor at = new StepCursor();
+    StepCursor cursor = new StepCursor();
     return (network, coverage) -> {
-      at.network = network;
-      stepTable.add(at.at(run, network.step(), coverage), steps);
+      cursor.network = network;
+      stepTable.add(cursor.moveTo(run, network.step(), coverage), steps);
       if (zooms != null) {
-        zooms(at);
-        targets(at);
+        zooms(cursor);
+        targets(cursor);
       }
     };
   }
 
-  private void zooms(StepCursor at) {
-    for (at.camera = 0; at.camera < at.network.cameras(); at.camera++) {
-      if (at.network.online(at.camera)) {
-        cameraTable.add(at, zooms);
+  private void zooms(StepCursor cursor) {
+    for (cursor.camera = 0; cursor.camera < cursor.network.cameras(); cursor.camera++) {
+      if (cursor.network.online(cursor.camera)) {
+        cameraTable.add(cursor, zooms);
       }
     }
   }
 
-  private void targets(StepCursor at) {
-    for (at.target = 0; at.target < at.network.targets(); at.target++) {
-      if (at.network.present(at.target)) {
-        targetTable.add(at, targets);
+  private void targets(StepCursor cursor) {
+    for (cursor.target = 0; cursor.target < cursor.network.targets(); cursor.target++) {
+      if (cursor.network.present(cursor.target)) {
+        targetTable.add(cursor, targets);
       }
     }
   }

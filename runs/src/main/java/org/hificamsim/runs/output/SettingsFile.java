@@ -66,7 +66,7 @@ public final class SettingsFile {
         .forEach(optics -> json.withArray("optics").add(of(optics)));
   }
 
-  /** Optics by the names of attributes in scenario files. */
+  /** Writes optics with the names of attributes in scenario files. */
   private static ObjectNode of(OpticsSpec optics) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("name", optics.name());
@@ -84,9 +84,9 @@ public final class SettingsFile {
   }
 
   /**
-   * Adds the lens of the model, metres (Eqs 3.1 and 3.2): the mount height of all cameras, which is
-   * the scenario's or that at which the narrowest radius has the longest focal length, and a focal
-   * length for each of the zooms. Lenses of single cameras are left out.
+   * Adds the lens of the model (Eqs 3.1 and 3.2) in metres: the mount height of all cameras, and a
+   * focal length for each zoom. The mount height is that of the scenario, or else the height at
+   * which the narrowest radius has the longest focal length. Lenses of single cameras are omitted.
    */
   private static void putLens(ObjectNode json, RunPlan plan) {
     Scenario scenario = plan.scenario();

@@ -28,7 +28,7 @@ public final class SingleRun implements StepListener, Closeable {
   private final StepListener rows;
   private final RunCoverage sums = new RunCoverage();
 
-  /** Null unless it is measured. */
+  /** The recorder of following; null unless it is measured. */
   private final TargetFollowing following;
 
   /**
@@ -37,7 +37,7 @@ public final class SingleRun implements StepListener, Closeable {
    * @param run the number of the run
    * @param detection the detection of the run
    * @param detail the detail of each step
-   * @param following what is measured of how cameras follow targets
+   * @param following whether it is measured how cameras follow targets
    */
   public SingleRun(Path path, int run, Detection detection, Detail detail, Following following)
       throws IOException {
@@ -75,12 +75,12 @@ public final class SingleRun implements StepListener, Closeable {
    * @param proof the proof of the policy; empty if it does not claim to be the best
    */
   public void commit(RunPlan plan, Traffic traffic, Optional<Proof> proof) throws IOException {
-    Measured measured = new Measured(sums, plan.objective(), traffic, proof, followed());
+    Measured measured = new Measured(sums, plan.objective(), traffic, proof, followingSums());
     folder.finish(plan, List.of(RunResult.of(run, plan.seed(), measured)));
     folder.commit();
   }
 
-  private FollowingSums followed() {
+  private FollowingSums followingSums() {
     return following == null ? FollowingSums.NONE : following.sums();
   }
 

@@ -4,8 +4,8 @@ import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * The step, camera or target of a row of a run's tables. One object serves all rows, so that a step
- * allocates nothing.
+ * Points to the step, camera or target of a row of a run's tables. One object serves all rows, so
+ * that a step allocates nothing.
  */
 public final class StepCursor {
   int run;
@@ -16,7 +16,7 @@ public final class StepCursor {
   int target;
 
   /** Moves to a step, without a network. */
-  public StepCursor at(int newRun, long newStep, StepCoverage newCoverage) {
+  public StepCursor moveTo(int newRun, long newStep, StepCoverage newCoverage) {
     run = newRun;
     step = newStep;
     coverage = newCoverage;

@@ -26,18 +26,18 @@ public record StepRow(int run, long step, double score) {
    * @return the file
    * @throws InputException when it is missing, is not CSV or has a row without a score
    */
-  public static Path each(Path folder, Consumer<StepRow> taker) throws IOException {
+  public static Path forEachRow(Path folder, Consumer<StepRow> consumer) throws IOException {
     requireCsv(folder);
     Path file = new ResultFolder(folder).file(RunTables.STEPS.file());
     try (InputStream in = Files.newInputStream(file);
-        // an InputStreamReader replaces malformed bytes; the row that has them is then refused
+        // an InputStreamReader replaces malformed bytes, so that their row is rejected
         BufferedReader reader =
             new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8), BUFFER)) {
       int number = 1;
       reader.readLine();
       for (String line; (line = reader.readLine()) != null; ) {
         number++;
-        taker.accept(parse(file, number, line));
+        consumer.accept(parse(file, number, line));
       }
     }
     return file;
@@ -54,7 +54,7 @@ public record StepRow(int run, long step, double score) {
     }
   }
 
-  /** The score is the last cell. */
+  /** Reads a row, the last cell of which is the score. */
   private static StepRow parse(Path file, int number, String line) {
     String[] cells = line.split(",", -1);
     try {

@@ -30,7 +30,7 @@ import org.hificamsim.runs.output.Column.Kind;
  * @param columns the columns in order
  */
 public record Table<R>(String file, List<Column<R>> columns) {
-  /** A table without columns. */
+  /** Creates a table without columns. */
   public static <R> Table<R> of(String file) {
     return new Table<>(file, List.of());
   }
@@ -108,7 +108,7 @@ public record Table<R>(String file, List<Column<R>> columns) {
 
   /** The same table with columns for an object that each row contains. */
   public <P> Table<R> with(List<Column<P>> further, Function<R, P> part) {
-    return with(further.stream().map(column -> column.of(part)).toList());
+    return with(further.stream().map(column -> column.forPart(part)).toList());
   }
 
   /** The name of the file in another format, by its ending. */
@@ -148,19 +148,19 @@ public record Table<R>(String file, List<Column<R>> columns) {
    * @throws org.hificamsim.core.InputException when the table is missing, broken or lacks a column
    */
   public CsvRows read(Path folder) {
-    return reader(folder).readAll(required());
+    return reader(folder).readAll(columnNames());
   }
 
   /**
-   * Reads the table of a folder row by row, whatever its size.
+   * Reads the table of a folder row by row, so that its size does not matter.
    *
-   * @param taker takes each row in order
+   * @param consumer receives each row in order
    * @throws org.hificamsim.core.InputException when the table is missing, broken or lacks a column
    */
-  public void read(Path folder, Consumer<CsvRow> taker) {
+  public void read(Path folder, Consumer<CsvRow> consumer) {
     try (CsvReader reader = reader(folder)) {
-      reader.header(required());
-      reader.forEachRow(taker);
+      reader.header(columnNames());
+      reader.forEachRow(consumer);
     }
   }
 
@@ -169,7 +169,7 @@ public record Table<R>(String file, List<Column<R>> columns) {
         new ResultFolder(folder).file(file), "a table that 'hificamsim' writes");
   }
 
-  private List<String> required() {
+  private List<String> columnNames() {
     return columns.stream().map(Column::name).toList();
   }
 }

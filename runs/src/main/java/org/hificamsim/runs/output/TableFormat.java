@@ -10,8 +10,8 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Rows;
 
 /**
- * The format in which a run writes its tables: CSV, or one whose module is on the class path. Only
- * CSV is read again, for pages and pictures.
+ * The format in which a run writes its tables: CSV, or one whose module is on the class path. Pages
+ * and pictures can be made from CSV only.
  */
 public interface TableFormat {
   /** The names of all formats, the default first. */
@@ -27,7 +27,7 @@ public interface TableFormat {
   Rows create(Table<?> table, OutputFolder folder) throws IOException;
 
   /**
-   * The format of this name.
+   * Returns the format of a name.
    *
    * @throws InputException when there is none, or its module is not on the class path
    */

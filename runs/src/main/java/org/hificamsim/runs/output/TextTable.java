@@ -15,7 +15,7 @@ import org.hificamsim.core.Texts;
  * intervals, aligned right.
  */
 public final class TextTable {
-  private static final int MIN_FIGURE_WIDTH = 26; // characters
+  private static final int MIN_FIGURE_CHARACTERS = 26;
   private static final String INTERVAL = " [95%]";
   private static final Map<Character, String> ESCAPED =
       Map.of(
@@ -35,7 +35,7 @@ public final class TextTable {
   private final List<List<String>> rows = new ArrayList<>();
 
   /**
-   * An empty table.
+   * Creates an empty table.
    *
    * @param names the number of first columns that are names
    * @param header the header of each column
@@ -62,7 +62,7 @@ public final class TextTable {
         i ->
             lines.stream()
                 .mapToInt(row -> row.get(i).length())
-                .reduce(i < names ? 0 : MIN_FIGURE_WIDTH, Math::max));
+                .reduce(i < names ? 0 : MIN_FIGURE_CHARACTERS, Math::max));
     for (List<String> row : lines) {
       List<String> cells = new ArrayList<>();
       for (int i = 0; i < widths.length; i++) {
@@ -74,9 +74,9 @@ public final class TextTable {
   }
 
   /**
-   * The table in LaTeX, with a small space where the first name changes.
+   * Returns the table in LaTeX, with a small space where the first name changes.
    *
-   * @param label by which the text refers to the table
+   * @param label the label by which the text refers to the table
    */
   public String latex(String caption, String label) {
     List<String> lines = new ArrayList<>();

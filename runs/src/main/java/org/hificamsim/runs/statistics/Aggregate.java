@@ -11,19 +11,20 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.runs.Estimate;
 
 /**
- * A number that aggregates the scores, 0 or more, of all runs of all scenarios; NaN without runs.
+ * The figures that aggregate the scores, 0 or more, of all runs of all scenarios; NaN without runs.
  */
 @SuppressWarnings("ImmutableEnumChecker") // functions
 public enum Aggregate {
-  /** The interquartile mean: without the lowest and the highest quarter of all runs. */
-  IQM(strata -> drawn(Aggregate::interquartileMean, strata)),
+  /** The interquartile mean, which ignores the lowest and the highest quarter of all runs. */
+  IQM(strata -> bootstrapped(Aggregate::interquartileMean, strata)),
   /** The mean distance of scores below 1; a score above 1 counts as 1. */
   OPTIMALITY_GAP(
       strata -> strata.map(score -> Math.min(score, 1)).meanOfRuns().complement().within(0, 1)),
   /** The mean of the scenarios' means. */
   MEAN(strata -> strata.mean().within(0, Double.POSITIVE_INFINITY)),
   /** The median of the scenarios' means; the mean if there are one or two. */
-  MEDIAN(strata -> strata.scenarios() > 2 ? drawn(Aggregate::median, strata) : MEAN.of(strata));
+  MEDIAN(
+      strata -> strata.scenarios() > 2 ? bootstrapped(Aggregate::median, strata) : MEAN.of(strata));
 
   /** The values of tau of a performance profile: 0 to 1 in hundredths. */
   public static final double[] TAUS =
@@ -35,7 +36,7 @@ public enum Aggregate {
     this.estimate = estimate;
   }
 
-  /** The interquartile mean without an interval, which takes no draws. */
+  /** The interquartile mean without an interval, which needs no bootstrap. */
   public static double interquartileMean(Strata strata) {
     double[] sorted = strata.sorted();
     int cut = sorted.length / 4;
@@ -46,20 +47,20 @@ public enum Aggregate {
     return StatUtils.percentile(strata.means(), 50);
   }
 
-  /** A figure between the least and the greatest score, as is its interval. */
-  private static Estimate drawn(ToDoubleFunction<Strata> figure, Strata strata) {
+  /** Estimates a figure by a bootstrap; its interval is cut to the range of the scores. */
+  private static Estimate bootstrapped(ToDoubleFunction<Strata> figure, Strata strata) {
     double[] sorted = strata.sorted();
     return sorted.length == 0
         ? Estimate.single(Double.NaN)
         : Bootstrap.of(figure, strata).within(sorted[0], sorted[sorted.length - 1]);
   }
 
-  /** The number for some scores, with its interval over seeds. */
+  /** The figure of scores, with its interval over seeds. */
   public Estimate of(Strata strata) {
     return estimate.apply(strata);
   }
 
-  /** The aggregates of some scenarios with their intervals; no median of a single one. */
+  /** All aggregates of scores with their intervals; without the median if there is one scenario. */
   public static Map<Aggregate, Estimate> estimates(Strata strata) {
     Map<Aggregate, Estimate> byAggregate = new EnumMap<>(Aggregate.class);
     for (Aggregate aggregate : values()) {
@@ -94,22 +95,22 @@ public enum Aggregate {
   }
 
   /**
-   * The probability that a run of one policy has a higher score than a run of another in the same
-   * scenario, where a tie counts half (Mann and Whitney's U over the number of pairs); the mean
-   * over the scenarios. Runs are not paired by seed.
+   * The probability that a run of one policy has a higher score than a run of the other in the same
+   * scenario, where a tie counts half (Mann and Whitney's U divided by the number of pairs); the
+   * mean over the scenarios. Runs are not paired by seed.
    *
    * @return NaN if no scenario has runs of both
    */
-  public static Estimate improvement(Strata policy, Strata over) {
-    return Shares.improvement(probability(policy, over), policy, over);
+  public static Estimate improvement(Strata policy, Strata other) {
+    return Shares.improvement(probability(policy, other), policy, other);
   }
 
   /**
    * The probability without an interval; both policies have the same scenarios in the same order.
    */
-  static double probability(Strata policy, Strata over) {
+  static double probability(Strata policy, Strata other) {
     double[][] scores = policy.sortedByScenario();
-    double[][] others = over.sortedByScenario();
+    double[][] others = other.sortedByScenario();
     double[] shares = new double[scores.length];
     Arrays.setAll(shares, scenario -> share(scores[scenario], others[scenario]));
     return StatUtils.mean(Arrays.stream(shares).filter(share -> !Double.isNaN(share)).toArray());

@@ -9,7 +9,7 @@ import org.hificamsim.runs.Estimate;
 /**
  * The bootstrap over seeds, for intervals of figures that are not means (Efron and Tibshirani, An
  * Introduction to the Bootstrap, 1993, chapter 13), {@linkplain Estimate#drawn corrected} for few
- * seeds. The same scores have the same interval. A single seed has none.
+ * seeds. The same scores always give the same interval. A single seed gives none.
  */
 public final class Bootstrap {
   private static final int DRAWS = 1000;
@@ -20,7 +20,7 @@ public final class Bootstrap {
   private Bootstrap() {}
 
   /**
-   * The estimate of a figure of the seeds; draws for which it is NaN are left out.
+   * Estimates a figure of seeds. Draws for which the figure is NaN are omitted.
    *
    * @param seeds the number of seeds
    * @param figure the figure of some seeds, given by their numbers, which may repeat
@@ -37,7 +37,7 @@ public final class Bootstrap {
     return Estimate.drawn(value, Estimate.known(drawn), seeds, 1);
   }
 
-  /** The estimate of a figure of scores; seeds are drawn within each scenario. */
+  /** Estimates a figure of scores. Seeds are drawn within each scenario. */
   static Estimate of(ToDoubleFunction<Strata> figure, Strata strata) {
     SplittableRandom random = new SplittableRandom(SEED_OF_STRATA);
     double[] drawn = new double[strata.freedom() > 0 ? DRAWS_OF_STRATA : 0];

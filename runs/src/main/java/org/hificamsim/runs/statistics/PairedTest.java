@@ -11,8 +11,8 @@ import org.apache.commons.math3.stat.StatUtils;
 
 /**
  * Fisher's randomization test of paired differences (The Design of Experiments, 1935, section 21):
- * if two policies were equal, each difference could as well have the other sign. It assumes nothing
- * about the distribution; the p-value is two-sided.
+ * if two policies are equal, each difference is as likely to have the other sign. It assumes
+ * nothing about the distribution; the p-value is two-sided.
  */
 public final class PairedTest {
   /** The largest number of differences for which all choices of signs are tried. */
@@ -30,7 +30,7 @@ public final class PairedTest {
   /**
    * The p-value of the hypothesis that the mean difference is 0.
    *
-   * @param differences by seed, without NaN
+   * @param differences the differences by seed, none of them NaN
    * @return NaN for fewer than two differences
    */
   public static double p(double[] differences) {
@@ -65,7 +65,7 @@ public final class PairedTest {
     return asExtreme / (DRAWS + 1.0);
   }
 
-  /** Flips bits of signs at random: processors mispredict a random branch half of the time. */
+  /** Flips the sign bits instead of branching, since a random branch is unpredictable. */
   private static double sumWithRandomSigns(double[] differences, SplittableRandom random) {
     double sum = 0;
     long signs = 0;
@@ -78,9 +78,9 @@ public final class PairedTest {
   }
 
   /**
-   * P-values after Holm's correction for many comparisons (A Simple Sequentially Rejective Multiple
-   * Test Procedure, 1979), in the same order: the probability of any false finding among all stays
-   * below the chosen level. NaN stays NaN and is not counted.
+   * Applies Holm's correction for many comparisons to p-values (A Simple Sequentially Rejective
+   * Multiple Test Procedure, 1979), so that the probability of any false finding stays below the
+   * chosen level. The order is kept; NaN stays NaN and is not counted.
    *
    * @param pValues the p-values of all comparisons that are judged together
    */
@@ -116,7 +116,7 @@ public final class PairedTest {
    * level of 0.05 over all tests (the normal approximation, with Guenther's correction for the
    * estimated variance, Sample Size Formulas for Normal Theory T Tests, 1981).
    *
-   * @param differences by seed, without NaN
+   * @param differences the differences by seed, none of them NaN
    * @param tests the number of p-values that are corrected together
    * @return NaN if there is no difference, or fewer than two seeds
    */

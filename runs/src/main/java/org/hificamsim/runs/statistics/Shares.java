@@ -6,7 +6,7 @@ import org.apache.commons.math3.stat.interval.ConfidenceInterval;
 import org.apache.commons.math3.stat.interval.WilsonScoreInterval;
 import org.hificamsim.runs.Estimate;
 
-/** Intervals of shares and probabilities, which are within [0, 1] and have a width at both ends. */
+/** Computes intervals of shares and probabilities, which stay within [0, 1] and are never empty. */
 final class Shares {
   private static final double LEVEL = 0.95;
   private static final double NORMAL_QUANTILE = 1.959963984540054;
@@ -15,7 +15,7 @@ final class Shares {
 
   private Shares() {}
 
-  /** The share of runs that have something; without an interval unless a scenario has two seeds. */
+  /** Estimates a share of runs; without an interval unless a scenario has two or more seeds. */
   static Estimate of(int runs, Strata strata) {
     double share = (double) runs / strata.runs();
     if (strata.freedom() <= 0) {
@@ -32,14 +32,14 @@ final class Shares {
    *
    * @param observed the mean probability over the scenarios
    */
-  static Estimate improvement(double observed, Strata policy, Strata over) {
-    if (Double.isNaN(observed) || policy.freedom() + over.freedom() <= 0) {
+  static Estimate improvement(double observed, Strata policy, Strata other) {
+    if (Double.isNaN(observed) || policy.freedom() + other.freedom() <= 0) {
       return Estimate.single(observed);
     }
     UnivariateFunction excess =
         truth ->
             (observed - truth) * (observed - truth)
-                - NORMAL_QUANTILE * NORMAL_QUANTILE * variance(truth, policy, over);
+                - NORMAL_QUANTILE * NORMAL_QUANTILE * variance(truth, policy, other);
     return new Estimate(
         observed,
         observed < PRECISION ? 0 : end(excess, 0, observed - PRECISION),
@@ -51,12 +51,12 @@ final class Shares {
   }
 
   /** Hanley and McNeil's variance of the mean over scenarios that all have this probability. */
-  private static double variance(double probability, Strata policy, Strata over) {
+  private static double variance(double probability, Strata policy, Strata other) {
     double sum = 0;
     int scenarios = 0;
     for (int i = 0; i < policy.scores().length; i++) {
       int seeds = policy.scores()[i].length;
-      int others = over.scores()[i].length;
+      int others = other.scores()[i].length;
       if (seeds > 0 && others > 0) {
         sum += variance(probability, seeds, others);
         scenarios++;

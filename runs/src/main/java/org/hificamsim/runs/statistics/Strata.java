@@ -12,7 +12,7 @@ import org.hificamsim.runs.Estimate;
 /**
  * Scores by scenario. A bootstrap draws them within each scenario, never across scenarios.
  *
- * @param scores for each scenario an array, which may be empty, with a score for each seed
+ * @param scores the scores of each scenario, one for each seed; may be empty
  */
 public record Strata(double[][] scores) {
   /** The scores that are not NaN. */
@@ -22,7 +22,7 @@ public record Strata(double[][] scores) {
 
   /** The number of scores. */
   public int runs() {
-    return Arrays.stream(scores).mapToInt(ofScenario -> ofScenario.length).sum();
+    return Arrays.stream(scores).mapToInt(scenarioScores -> scenarioScores.length).sum();
   }
 
   /** The number of scenarios with a score. */
@@ -41,9 +41,9 @@ public record Strata(double[][] scores) {
   double[] sorted() {
     double[] sorted = new double[runs()];
     int filled = 0;
-    for (double[] ofScenario : scores) {
-      System.arraycopy(ofScenario, 0, sorted, filled, ofScenario.length);
-      filled += ofScenario.length;
+    for (double[] scenarioScores : scores) {
+      System.arraycopy(scenarioScores, 0, sorted, filled, scenarioScores.length);
+      filled += scenarioScores.length;
     }
     Arrays.sort(sorted);
     return sorted;
@@ -64,36 +64,36 @@ public record Strata(double[][] scores) {
     return known().stream().mapToDouble(StatUtils::mean).toArray();
   }
 
-  /** The same scores, each changed by a function. */
+  /** Applies a function to each score. */
   Strata map(DoubleUnaryOperator change) {
     return new Strata(
         Arrays.stream(scores)
-            .map(ofScenario -> Arrays.stream(ofScenario).map(change).toArray())
+            .map(scenarioScores -> Arrays.stream(scenarioScores).map(change).toArray())
             .toArray(double[][]::new));
   }
 
   /** The mean of the scenarios' means, with its interval. */
   Estimate mean() {
-    return mean(ofScenario -> 1.0 / scenarios());
+    return mean(scenarioScores -> 1.0 / scenarios());
   }
 
   /** The mean of all scores, with its interval over the seeds of these scenarios. */
   Estimate meanOfRuns() {
-    return mean(ofScenario -> (double) ofScenario.length / runs());
+    return mean(scenarioScores -> (double) scenarioScores.length / runs());
   }
 
-  /** The weighted mean of the scenarios' means; a single scenario has that of its values. */
+  /** The weighted mean of the scenarios' means, with its interval. */
   private Estimate mean(ToDoubleFunction<double[]> weight) {
     double mean = 0;
     double variance = 0;
     double thirdMoment = 0;
-    for (double[] ofScenario : known()) {
-      int n = ofScenario.length;
-      double part = weight.applyAsDouble(ofScenario);
-      double deviation = n > 1 ? new StandardDeviation().evaluate(ofScenario) : 0;
-      mean += part * StatUtils.mean(ofScenario);
+    for (double[] scenarioScores : known()) {
+      int n = scenarioScores.length;
+      double part = weight.applyAsDouble(scenarioScores);
+      double deviation = n > 1 ? new StandardDeviation().evaluate(scenarioScores) : 0;
+      mean += part * StatUtils.mean(scenarioScores);
       variance += part * part * deviation * deviation / n;
-      thirdMoment += Math.pow(part * deviation, 3) * Estimate.skewness(ofScenario) / (n * n);
+      thirdMoment += Math.pow(part * deviation, 3) * Estimate.skewness(scenarioScores) / (n * n);
     }
     if (freedom() <= 0) {
       return Estimate.single(runs() == 0 ? Double.NaN : mean);
@@ -105,10 +105,10 @@ public record Strata(double[][] scores) {
 
   /** The scores of the scenarios that have one. */
   private List<double[]> known() {
-    return Arrays.stream(scores).filter(ofScenario -> ofScenario.length > 0).toList();
+    return Arrays.stream(scores).filter(scenarioScores -> scenarioScores.length > 0).toList();
   }
 
-  /** The same number of scores of each scenario, drawn from its scores with replacement. */
+  /** Draws as many scores of each scenario as it has, with replacement. */
   Strata drawn(SplittableRandom random) {
     double[][] drawn = new double[scores.length][];
     for (int scenario = 0; scenario < drawn.length; scenario++) {

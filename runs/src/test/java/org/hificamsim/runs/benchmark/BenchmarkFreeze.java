@@ -13,8 +13,8 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 
 /**
- * Computes the scale and the hash of tasks that have none, and writes them into their file. A task
- * that has them is not changed: a changed task needs a new name.
+ * Computes the scale and the hash of tasks that have none, and writes them into their file. Tasks
+ * that have them stay as they are, since a changed task needs a new name.
  */
 final class BenchmarkFreeze {
   private BenchmarkFreeze() {}

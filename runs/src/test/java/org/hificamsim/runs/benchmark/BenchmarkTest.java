@@ -44,12 +44,10 @@ class BenchmarkTest {
     assertEquals(12, names().size());
   }
 
-  /**
-   * When this fails, a task has changed: give it the next version, and keep what the old one has.
-   */
+  /** When this fails, a task has changed: add it as the next version, and restore the old one. */
   @ParameterizedTest
   @MethodSource("names")
-  void isFrozen(String name) {
+  void tasksAreUnchanged(String name) {
     BenchmarkTask task = BENCHMARK.task(name);
     assertEquals(task.hash(), task.digest(BENCHMARK.site(name)));
   }
@@ -128,7 +126,7 @@ class BenchmarkTest {
         ScenarioWriter.write(BENCHMARK.layout("campus-v1", 5 - 7L * BenchmarkTask.TRAINING)));
   }
 
-  /** No target of a testing window is there at the same time in training. */
+  /** The steps of testing come after all steps of training, and have targets. */
   @Test
   void recordingsBeginAtOtherTimesInTesting() {
     SiteLayout layout = BENCHMARK.task("street-v1").layout();

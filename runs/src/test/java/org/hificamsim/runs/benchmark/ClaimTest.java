@@ -16,7 +16,7 @@ class ClaimTest {
   }
 
   @Test
-  void differencesExceedTheMarginAsOftenAsAlphaSays() {
+  void shareAlphaOfDifferencesExceedsMargin() {
     Random random = new Random(1);
     int exceeded = 0;
     for (int i = 0; i < 4_000; i++) {
@@ -27,7 +27,7 @@ class ClaimTest {
   }
 
   @Test
-  void scoreThatIsHigherThanOnFreshSeedsDoesNotHold() {
+  void rejectsScoreHigherThanOnFreshSeeds() {
     Random random = new Random(1);
     Claim claim = Claim.of(scores(random, 0.6), scores(random, 0.3));
     double fresh = 0.4;
@@ -37,21 +37,22 @@ class ClaimTest {
   }
 
   @Test
-  void meanOfManyClaimsIsMoreCertain() {
+  void meanOfClaimsHasSmallerError() {
     Random random = new Random(1);
-    Claim one = Claim.of(scores(random, 0.5), scores(random, 0.5));
-    Claim mean = Claim.mean(List.of(one, one, one, one));
-    assertEquals(one.difference(), mean.difference(), 1e-12);
-    assertEquals(one.error() / 2, mean.error(), 1e-12);
+    Claim claim = Claim.of(scores(random, 0.5), scores(random, 0.5));
+    Claim mean = Claim.mean(List.of(claim, claim, claim, claim));
+    assertEquals(claim.difference(), mean.difference(), 1e-12);
+    assertEquals(claim.error() / 2, mean.error(), 1e-12);
   }
 
   @Test
   void seedsDependOnSecretAndTask() {
     FreshSeeds seeds = new FreshSeeds("correct horse");
-    assertEquals(seeds.of("hall-v1", 10), new FreshSeeds("correct horse").of("hall-v1", 10));
-    assertNotEquals(seeds.of("hall-v1", 10), seeds.of("street-v1", 10));
-    assertNotEquals(seeds.of("hall-v1", 10), new FreshSeeds("battery staple").of("hall-v1", 10));
-    assertEquals(10, seeds.of("hall-v1", 10).stream().distinct().count());
-    assertTrue(seeds.of("hall-v1", 10).stream().allMatch(seed -> seed > BenchmarkTask.TRAINING));
+    assertEquals(seeds.draw("hall-v1", 10), new FreshSeeds("correct horse").draw("hall-v1", 10));
+    assertNotEquals(seeds.draw("hall-v1", 10), seeds.draw("street-v1", 10));
+    assertNotEquals(
+        seeds.draw("hall-v1", 10), new FreshSeeds("battery staple").draw("hall-v1", 10));
+    assertEquals(10, seeds.draw("hall-v1", 10).stream().distinct().count());
+    assertTrue(seeds.draw("hall-v1", 10).stream().allMatch(seed -> seed > BenchmarkTask.TRAINING));
   }
 }

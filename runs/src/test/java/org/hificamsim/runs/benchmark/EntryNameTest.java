@@ -29,13 +29,13 @@ class EntryNameTest {
   }
 
   @Test
-  void cyrillicNamesLookLikeLatinOnes() {
+  void cyrillicNameHasSkeletonOfLatinLookalike() {
     EntryName.require("\u0441\u043e\u0440\u0435");
     assertEquals(EntryName.skeleton("cope"), EntryName.skeleton("\u0441\u043e\u0440\u0435"));
   }
 
   @Test
-  void otherNamesHaveOtherSkeletons() {
+  void differentNamesHaveDifferentSkeletons() {
     assertNotEquals(EntryName.skeleton("QMIX"), EntryName.skeleton("VDN"));
     assertNotEquals(EntryName.skeleton("\u5354\u529b"), EntryName.skeleton("\u5354\u540c"));
   }

@@ -27,7 +27,7 @@ class ComparisonTest {
 
   @TempDir Path folder;
 
-  /** Otherwise a second comparison could use a journal that the first one then deletes. */
+  /** Without the lock, a second comparison could use a journal that the first one then deletes. */
   @Test
   void locksFolderUntilJournalIsDeleted() throws IOException {
     Path file = folder.resolve(Journal.COMPARISON_FILE);
@@ -36,15 +36,15 @@ class ComparisonTest {
       List<CaseResult> results = compare(journal, () -> {});
       assertEquals(2, results.size(), "the plan and its optimum");
       assertTrue(Files.exists(file));
-      assertHeld();
+      assertIsLocked();
       journal.finish();
       assertFalse(Files.exists(file));
-      assertHeld();
+      assertIsLocked();
     }
     new OutputFolder(folder).close();
   }
 
-  /** So that a comparison whose files could not be written is not computed again. */
+  /** A comparison whose files could not be written is not computed again. */
   @Test
   void reusesRunsInJournal() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
@@ -60,7 +60,7 @@ class ComparisonTest {
     assertFalse(Files.exists(folder.resolve(Journal.COMPARISON_FILE)));
   }
 
-  private void assertHeld() {
+  private void assertIsLocked() {
     assertThrows(InputException.class, () -> new OutputFolder(folder));
   }
 

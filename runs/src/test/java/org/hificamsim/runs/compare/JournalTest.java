@@ -33,7 +33,7 @@ class JournalTest {
   private OutputFolder output;
 
   @BeforeEach
-  void leaveTheJournalOfAKilledComparison() throws IOException {
+  void writeJournalWithOneRun() throws IOException {
     output = new OutputFolder(folder);
     try (Journal journal = open(false)) {
       journal.add(
@@ -42,12 +42,12 @@ class JournalTest {
   }
 
   @AfterEach
-  void letTheFolderGo() throws IOException {
+  void unlockFolder() throws IOException {
     output.close();
   }
 
   @Test
-  void resumeFindsFinishedRunsExactly() throws IOException {
+  void findsFinishedRunsUnchangedAfterResume() throws IOException {
     try (Journal journal = open(true)) {
       FinishedRun found = journal.find("case", 7).orElseThrow();
       assertEquals(RESULT, found.result());
@@ -69,8 +69,8 @@ class JournalTest {
   @Test
   void dropsIncompleteLastLine() throws IOException {
     Files.writeString(file(), "{\"key\":\"half", StandardOpenOption.APPEND);
-    addTheNext();
-    assertBothAreFound();
+    addNextRun();
+    assertFindsBothRuns();
     assertEquals(2, Files.readAllLines(file()).size());
   }
 
@@ -87,8 +87,8 @@ class JournalTest {
       })
   void skipsDamagedLine(String line) throws IOException {
     Files.writeString(file(), line + "\n", StandardOpenOption.APPEND);
-    addTheNext();
-    assertBothAreFound();
+    addNextRun();
+    assertFindsBothRuns();
     try (Journal journal = open(true)) {
       assertEquals(
           file() + ":2: the line is damaged",
@@ -113,7 +113,7 @@ class JournalTest {
   @ValueSource(
       strings = {"(\"kMin\":\"....).", "(\"kMin\":\".*).{4}(?=\")", "(\"kMin\":\").*(?=\")"})
   void skipsRunWithDamagedSteps(String damage) throws IOException {
-    addTheNext();
+    addNextRun();
     String text = Files.readString(file());
     Files.writeString(file(), text.replaceFirst(damage, "$1"));
     try (Journal journal = open(true)) {
@@ -124,13 +124,14 @@ class JournalTest {
 
   @Test
   void handlesJournalsBeyondTwoGigabytes() throws IOException {
-    long far = 1L << 31;
+    long twoGigabytes = 1L << 31;
     byte[] line = ("\n" + Files.readString(file())).getBytes(StandardCharsets.UTF_8);
-    addTheNext();
+    addNextRun();
     String both = "\n" + Files.readString(file());
     try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.WRITE)) {
       channel.truncate(0);
-      channel.write(ByteBuffer.wrap(line), far); // after a hole, which takes no room
+      channel.write(
+          ByteBuffer.wrap(line), twoGigabytes); // after a hole, which takes no room on disk
     }
     try (Journal journal = open(true)) {
       assertTrue(journal.find("case", 7).isPresent());
@@ -138,8 +139,8 @@ class JournalTest {
     }
     ByteBuffer written = ByteBuffer.allocate(both.length());
     try (FileChannel channel = FileChannel.open(file())) {
-      channel.read(written, far);
-      assertEquals(far + both.length(), channel.size());
+      channel.read(written, twoGigabytes);
+      assertEquals(twoGigabytes + both.length(), channel.size());
     }
     assertEquals(both, new String(written.array(), StandardCharsets.UTF_8));
   }
@@ -160,13 +161,13 @@ class JournalTest {
     assertArrayEquals(before, Files.readAllBytes(target));
   }
 
-  private void addTheNext() throws IOException {
+  private void addNextRun() throws IOException {
     try (Journal journal = open(true)) {
       journal.add("next", 1, new FinishedRun(RESULT, new int[] {5}, new double[0]));
     }
   }
 
-  private void assertBothAreFound() throws IOException {
+  private void assertFindsBothRuns() throws IOException {
     try (Journal journal = open(true)) {
       assertTrue(journal.find("case", 7).isPresent());
       assertTrue(journal.find("next", 1).isPresent());

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.TestFactory;
 
 class LocalEngineTest {
   @TestFactory
-  Stream<DynamicTest> keepsTheContractOfEngines() {
+  Stream<DynamicTest> fulfilsContractOfEngines() {
     return new RunEngineContract(LocalEngineTest::engine).tests();
   }
 

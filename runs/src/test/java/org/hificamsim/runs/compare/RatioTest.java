@@ -14,7 +14,7 @@ class RatioTest {
   }
 
   @Test
-  void hasIntervalOfMeanIfOptimaAreEqual() {
+  void hasSameIntervalAsMeanIfOptimaAreEqual() {
     Estimate estimate = new Ratio(new double[] {1, 2, 3}, new double[] {10, 10, 10}).estimate();
     assertEquals(0.2, estimate.mean(), 1e-12);
     Estimate mean = Estimate.mean(new double[] {0.1, 0.2, 0.3});
@@ -23,7 +23,7 @@ class RatioTest {
   }
 
   @Test
-  void saysIfEverySeedGivesTheSame() {
+  void textTellsIfEverySeedGivesSameValue() {
     Estimate same = new Ratio(new double[] {9, 9, 9}, new double[] {10, 10, 10}).estimate();
     assertEquals(new Estimate(0.9, 0.9, 0.9), same);
     assertEquals("0.90 in every seed", same.text("%.2f"));

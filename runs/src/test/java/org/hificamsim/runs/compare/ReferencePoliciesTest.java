@@ -27,14 +27,14 @@ class ReferencePoliciesTest {
   }
 
   @Test
-  void runsNothingTwice() {
+  void addsNoYardstickThatIsAmongPlans() {
     assertEquals(
         List.of("best-fixed", "optimal"),
         policies(ReferencePolicies.OPTIMUM_AND_BEST_FIXED, 100, "best-fixed", "optimal"));
   }
 
   @Test
-  void leavesOutBestFixedThatNeedsTooMuchMemory() {
+  void omitsBestFixedThatNeedsTooMuchMemory() {
     assertEquals(
         List.of("sarsa", "optimal"),
         policies(ReferencePolicies.OPTIMUM_AND_BEST_FIXED, 1_000_000_000, "sarsa"));

@@ -50,24 +50,24 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
   /** The tests, named after what they assert. */
   public Stream<DynamicTest> tests() {
     return Stream.of(
-        dynamicTest("handsBackEachOutcomeOnce", this::handsBackEachOutcomeOnce),
-        dynamicTest("computesWhatTheRunAloneGives", this::computesWhatTheRunAloneGives),
-        dynamicTest("needsNoFileOnceItIsRead", this::needsNoFileOnceItIsRead),
-        dynamicTest("keepsModelsOfOneNameApart", this::keepsModelsOfOneNameApart),
-        dynamicTest("computesTheTasksItIsGivenAlone", this::computesTheTasksItIsGivenAlone),
-        dynamicTest("hasNothingToDoWithoutTasks", this::hasNothingToDoWithoutTasks),
-        dynamicTest("endsWithTheFaultOfARun", this::endsWithTheFaultOfARun),
-        dynamicTest("endsWithTheFaultOfTheTaker", this::endsWithTheFaultOfTheTaker));
+        dynamicTest("returnsEachRunOnce", this::returnsEachRunOnce),
+        dynamicTest("computesSameResultsAsSingleRuns", this::computesSameResultsAsSingleRuns),
+        dynamicTest("needsNoFilesAfterPlansAreRead", this::needsNoFilesAfterPlansAreRead),
+        dynamicTest("distinguishesModelsOfSameName", this::distinguishesModelsOfSameName),
+        dynamicTest("computesOnlyGivenTasks", this::computesOnlyGivenTasks),
+        dynamicTest("acceptsEmptyListOfTasks", this::acceptsEmptyListOfTasks),
+        dynamicTest("endsWithFaultOfRun", this::endsWithFaultOfRun),
+        dynamicTest("endsWithFaultOfReceiver", this::endsWithFaultOfReceiver));
   }
 
-  private void handsBackEachOutcomeOnce() throws IOException {
+  private void returnsEachRunOnce() throws IOException {
     List<RunTask> taken = new ArrayList<>();
     engines
         .get()
         .run(
             plans(),
             all(plans()),
-            (task, outcome) -> {
+            (task, run) -> {
               synchronized (taken) {
                 taken.add(task);
               }
@@ -76,11 +76,11 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
     assertTrue(taken.containsAll(all(plans())), taken.toString());
   }
 
-  private void computesWhatTheRunAloneGives() throws IOException {
-    assertSameAsAlone(plans(), all(plans()));
+  private void computesSameResultsAsSingleRuns() throws IOException {
+    assertSameAsSingleRuns(plans(), all(plans()));
   }
 
-  private void needsNoFileOnceItIsRead() throws IOException {
+  private void needsNoFilesAfterPlansAreRead() throws IOException {
     Path folder = Files.createTempDirectory("engine");
     Path model = Files.writeString(folder.resolve("model.json"), MODEL);
     Path copy = Files.copy(SCENARIOS.resolve("ring-random.xml"), folder.resolve("a.b copy.xml"));
@@ -88,11 +88,11 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
     for (Path file : List.of(model, copy, folder)) {
       Files.delete(file);
     }
-    assertSameAsAlone(plans, all(plans));
+    assertSameAsSingleRuns(plans, all(plans));
   }
 
-  /** As if the file of a model changes while two plans are read. */
-  private void keepsModelsOfOneNameApart() throws IOException {
+  /** The file of a model changes while two plans are read. */
+  private void distinguishesModelsOfSameName() throws IOException {
     Path model = Files.createTempFile("model", ".json");
     List<RunPlan> plans = new ArrayList<>();
     for (String intercept : List.of("0.026", "-0.2")) {
@@ -100,27 +100,26 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
       plans.add(plan(scenario("ring-random"), model.toString(), "zoom-out"));
     }
     Files.delete(model);
-    assertSameAsAlone(plans, all(plans));
-    Map<RunTask, FinishedRun> outcomes = run(plans, all(plans));
-    assertNotEquals(
-        outcomes.get(new RunTask(0, 0)).result(), outcomes.get(new RunTask(1, 0)).result());
+    assertSameAsSingleRuns(plans, all(plans));
+    Map<RunTask, FinishedRun> runs = run(plans, all(plans));
+    assertNotEquals(runs.get(new RunTask(0, 0)).result(), runs.get(new RunTask(1, 0)).result());
   }
 
-  private void computesTheTasksItIsGivenAlone() throws IOException {
-    assertSameAsAlone(plans(), List.of(new RunTask(1, 2), new RunTask(0, 1)));
+  private void computesOnlyGivenTasks() throws IOException {
+    assertSameAsSingleRuns(plans(), List.of(new RunTask(1, 2), new RunTask(0, 1)));
   }
 
-  private void hasNothingToDoWithoutTasks() throws IOException {
+  private void acceptsEmptyListOfTasks() throws IOException {
     assertTrue(run(plans(), List.of()).isEmpty());
   }
 
-  private void endsWithTheFaultOfARun() {
+  private void endsWithFaultOfRun() {
     List<RunPlan> plans = List.of(plan(scenario("ring-random"), "geometric", "nothing"));
     InputException fault = assertThrows(InputException.class, () -> run(plans, all(plans)));
     assertTrue(fault.getMessage().startsWith("unknown policy 'nothing'"), fault.getMessage());
   }
 
-  private void endsWithTheFaultOfTheTaker() {
+  private void endsWithFaultOfReceiver() {
     RunPlan plan = plan(scenario("ring-random"), "geometric", "zoom-out");
     List<RunPlan> many =
         List.of(
@@ -136,30 +135,30 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
                     .run(
                         many,
                         all(many),
-                        (task, outcome) -> {
+                        (task, run) -> {
                           taken.incrementAndGet();
                           throw new IOException("disk full");
                         }));
     assertEquals("disk full", fault.getMessage());
-    assertTrue(taken.get() < 200, taken + " of 200 were computed all the same");
+    assertTrue(taken.get() < 200, taken + " of 200 were computed");
   }
 
-  private void assertSameAsAlone(List<RunPlan> plans, List<RunTask> tasks) throws IOException {
-    Map<RunTask, FinishedRun> outcomes = run(plans, tasks);
-    assertEquals(tasks.size(), outcomes.size());
+  private void assertSameAsSingleRuns(List<RunPlan> plans, List<RunTask> tasks) throws IOException {
+    Map<RunTask, FinishedRun> runs = run(plans, tasks);
+    assertEquals(tasks.size(), runs.size());
     for (RunTask task : tasks) {
       FinishedRun alone =
           FinishedRun.of(new RunExecutor(CATALOGUE), plans.get(task.plan()), task.repeat());
-      assertEquals(alone.result(), outcomes.get(task).result());
-      assertArrayEquals(alone.kMin(), outcomes.get(task).kMin());
+      assertEquals(alone.result(), runs.get(task).result());
+      assertArrayEquals(alone.kMin(), runs.get(task).kMin());
     }
   }
 
   private Map<RunTask, FinishedRun> run(List<RunPlan> plans, List<RunTask> tasks)
       throws IOException {
-    Map<RunTask, FinishedRun> outcomes = new ConcurrentHashMap<>();
-    engines.get().run(plans, tasks, outcomes::put);
-    return outcomes;
+    Map<RunTask, FinishedRun> runs = new ConcurrentHashMap<>();
+    engines.get().run(plans, tasks, runs::put);
+    return runs;
   }
 
   private static List<RunTask> all(List<RunPlan> plans) {

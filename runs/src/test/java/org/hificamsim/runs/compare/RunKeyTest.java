@@ -76,7 +76,7 @@ class RunKeyTest {
   }
 
   @Test
-  void dependsOnModelAtAllDistances() throws IOException {
+  void dependsOnModelBeyondReach() throws IOException {
     DetectionModel model = read(FAR.replace("WEIGHT", "-2"));
     DetectionModel other = read(FAR.replace("WEIGHT", "2"));
     ZoomLevel zoom = new ZoomLevel(40, 1, 16, 3, 2 * Math.PI);
@@ -89,7 +89,7 @@ class RunKeyTest {
   }
 
   @Test
-  void namesChangedInput() throws IOException {
+  void tellsWhichInputHasChanged() throws IOException {
     RunKey key = key(scenario(), model("0.0224"), 0.05);
     assertEquals(
         Optional.of("detection 'mine'"), key.changed(key(scenario(), model("0.0360"), 0.05)));

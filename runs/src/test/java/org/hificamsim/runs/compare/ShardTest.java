@@ -48,7 +48,7 @@ class ShardTest {
   }
 
   @Test
-  void readsWhatItPrints() {
+  void parsesItsOwnText() {
     assertEquals(new Shard(3, 8), Shard.parse("3/8"));
     assertEquals("3/8", new Shard(3, 8).toString());
     assertEquals(new Shard(1, 1), Shard.parse("1/1"));

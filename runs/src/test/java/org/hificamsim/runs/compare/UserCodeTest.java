@@ -16,14 +16,14 @@ class UserCodeTest {
   @TempDir Path folder;
 
   @BeforeEach
-  void compile() throws IOException {
+  void writeClassAndResources() throws IOException {
     write("org/example/Fog.class", "fog");
     write("org/example/weights.txt", "1 2 3");
     write("META-INF/services/any", "org.example.Fog");
   }
 
   @Test
-  void dependsOnEveryFileOfAJar() throws IOException {
+  void digestDependsOnEveryFileOfJar() throws IOException {
     assertNotEquals(RunKey.digest(jar("org/example/weights.txt")), RunKey.digest(jar("a.txt")));
     assertEquals(RunKey.digest(jar("a.txt")), RunKey.digest(jar("a.txt")));
   }
@@ -37,7 +37,7 @@ class UserCodeTest {
   }
 
   @Test
-  void dependsOnClassesAndOtherFilesOfAFolder() throws IOException {
+  void digestDependsOnEveryFileOfFolder() throws IOException {
     String before = RunKey.digest(folder);
     write("org/example/Fog.class", "mist");
     assertNotEquals(before, RunKey.digest(folder));
@@ -51,7 +51,7 @@ class UserCodeTest {
   }
 
   @Test
-  void ignoresResultsInTheSameFolder() throws IOException {
+  void digestIgnoresResultsAndHiddenFiles() throws IOException {
     String before = RunKey.digest(folder);
     write("out/compare/.hificamsim.sha256", "");
     write("out/compare/steps.csv", "1");

@@ -69,35 +69,35 @@ class HeatRecorderTest {
   /** Sums up the coverage of the targets, of which each free cell has one. */
   private static final class Lattice implements StepListener {
     private final FieldCells cells;
-    private final double[] k;
-    private final double[] none;
-    private final double[] more;
+    private final double[] meanK;
+    private final double[] covered0;
+    private final double[] coveredK;
 
     Lattice(FieldCells cells) {
       this.cells = cells;
-      k = new double[cells.count()];
-      none = new double[cells.count()];
-      more = new double[cells.count()];
+      meanK = new double[cells.count()];
+      covered0 = new double[cells.count()];
+      coveredK = new double[cells.count()];
     }
 
     @Override
     public void stepped(OracleView network, StepCoverage coverage) {
       for (int target = 0; target < network.targets(); target++) {
-        int cell = cells.at(network.targetX(target), network.targetY(target));
+        int cell = cells.cellAt(network.targetX(target), network.targetY(target));
         double mean = 0;
-        double zero = 1;
-        double one = 0;
+        double chanceOfNone = 1;
+        double chanceOfOne = 0;
         for (int camera = 0; camera < network.cameras(); camera++) {
           int view = network.seeing(camera);
           boolean looks = network.online(camera) && view >= 0;
           double chance = looks ? network.chance(camera, view, target) : 0;
           mean += chance;
-          one = one * (1 - chance) + zero * chance;
-          zero *= 1 - chance;
+          chanceOfOne = chanceOfOne * (1 - chance) + chanceOfNone * chance;
+          chanceOfNone *= 1 - chance;
         }
-        k[cell] += mean / STEPS;
-        none[cell] += zero / STEPS;
-        more[cell] += (1 - zero - one) / STEPS;
+        meanK[cell] += mean / STEPS;
+        covered0[cell] += chanceOfNone / STEPS;
+        coveredK[cell] += (1 - chanceOfNone - chanceOfOne) / STEPS;
       }
     }
   }
@@ -111,26 +111,26 @@ class HeatRecorderTest {
         "camsim-visibility",
         "hifi:orb-lin@chance"
       })
-  void coverageOfCellIsThatOfTargetInItsCentre(String model) throws IOException {
+  void coverageOfCellEqualsThatOfTargetAtItsCentre(String model) throws IOException {
     FieldCells cells = new FieldCells(new Field(0, 12, 0, 8), 24, 16);
     Scenario scenario = scenario("lattice", lattice(cells));
     Lattice lattice = new Lattice(cells);
     HeatMap map = map(scenario, detection(model, scenario), 1, lattice);
     assertEquals(cells, map.cells());
-    int partly = 0;
+    int sometimesCovered = 0;
     for (int cell = 0; cell < cells.count(); cell++) {
       Place place = map.places().get(cell);
       if (place.isFree()) {
-        assertEquals(lattice.k[cell], place.meanK(), 1e-9, "cell " + cell);
-        assertEquals(lattice.none[cell], place.covered0(), 1e-9, "cell " + cell);
-        assertEquals(lattice.more[cell], place.coveredK(), 1e-9, "cell " + cell);
+        assertEquals(lattice.meanK[cell], place.meanK(), 1e-9, "cell " + cell);
+        assertEquals(lattice.covered0[cell], place.covered0(), 1e-9, "cell " + cell);
+        assertEquals(lattice.coveredK[cell], place.coveredK(), 1e-9, "cell " + cell);
         assertEquals(STEPS, place.visits());
-        partly += place.covered0() > 0.01 && place.covered0() < 0.99 ? 1 : 0;
+        sometimesCovered += place.covered0() > 0.01 && place.covered0() < 0.99 ? 1 : 0;
       }
     }
     assertEquals(
         16, map.places().stream().filter(place -> !place.isFree()).count(), "in the polygon");
-    assertTrue(partly > 40, partly + " cells that are covered now and then");
+    assertTrue(sometimesCovered > 40, sometimesCovered + " cells are covered in some steps");
   }
 
   @Test
@@ -141,18 +141,18 @@ class HeatRecorderTest {
             + "<object features=\"3.0\" x=\"-3\" y=\"7.1\" heading=\"0\" speed=\"0\"/>";
     Scenario scenario = scenario("visits", objects);
     HeatMap map = map(scenario, detection("geometric", scenario), 2, null);
-    Place under = map.places().get(map.cells().at(6.25, 7.15));
+    Place under = map.places().get(map.cells().cellAt(6.25, 7.15));
     assertEquals(2 * 2 * STEPS, under.visits(), "two targets in two runs");
     assertEquals(under.meanK(), under.visitsMeanK(), 1e-12);
     assertEquals(under.covered0(), under.visitsCovered0(), 1e-12);
     assertTrue(under.covered0() > 0 && under.covered0() < 1, "north fails at step 10");
     long all = map.places().stream().mapToLong(Place::visits).sum();
-    assertEquals(under.visits(), all, "who is beside the field is in no cell");
+    assertEquals(under.visits(), all, "a target outside the field is in no cell");
     assertTrue(Double.isNaN(map.places().get(0).visitsMeanK()));
   }
 
   @Test
-  void sharesAreOfFreeArea() {
+  void sharesIgnoreCellsInObstacles() {
     FieldCells cells = new FieldCells(new Field(0, 4, 0, 1), 4, 1);
     HeatMap map =
         new HeatMap(
@@ -173,9 +173,9 @@ class HeatRecorderTest {
     assertEquals(new FieldCells(new Field(-5, 15, 0, 7), 50, 18), wide);
     assertEquals(0.4, wide.width(), 1e-12);
     assertEquals(-4.8, wide.x(0), 1e-12);
-    assertEquals(wide.count() - 1, wide.at(15, 7), "the border belongs to the last cells");
-    assertEquals(-1, wide.at(15.01, 7));
-    assertEquals(-1, wide.at(Double.NaN, 7));
+    assertEquals(wide.count() - 1, wide.cellAt(15, 7), "the border belongs to the last cells");
+    assertEquals(-1, wide.cellAt(15.01, 7));
+    assertEquals(-1, wide.cellAt(Double.NaN, 7));
     assertEquals(1, FieldCells.of(new Field(3, 3, 2, 2), 50).count(), "a field that is a point");
     assertEquals(50, FieldCells.of(new Field(0, 9, 2, 2), 50).count(), "a field that is a line");
   }
@@ -228,12 +228,12 @@ class HeatRecorderTest {
     return DetectionSpec.parse(model, catalogue::detection).detection(Settings.NONE, scenario);
   }
 
-  private HeatMap map(Scenario scenario, Detection detection, int repeats, StepListener beside) {
+  private HeatMap map(Scenario scenario, Detection detection, int repeats, StepListener other) {
     RunPlan plan =
         new RunPlan(scenario, detection, "epsilon-greedy:epsilon=0.5", STEPS, 7, repeats);
     HeatRecorder recorder =
         new HeatRecorder(new World(scenario, catalogue.movements(), 7), detection, CELLS);
-    List<StepListener> listeners = beside == null ? List.of(recorder) : List.of(recorder, beside);
+    List<StepListener> listeners = other == null ? List.of(recorder) : List.of(recorder, other);
     new RunExecutor(catalogue).execute(plan, run -> listeners);
     assertEquals((long) STEPS * repeats, recorder.steps());
     return recorder.map();

@@ -84,14 +84,15 @@ class ResultFilesTest {
     for (String malformed : List.of("1,2", "0,x,3,1.5", "0,1,3,z", "y,1,3,1", "0,1,")) {
       Files.writeString(file, "run,step,k_min,score\n10,7,3,2.5\n" + malformed + "\n");
       String message =
-          assertThrows(InputException.class, () -> StepRow.each(folder, rows::add)).getMessage();
+          assertThrows(InputException.class, () -> StepRow.forEachRow(folder, rows::add))
+              .getMessage();
       assertEquals(
           file + ":3:1: '" + malformed + "' is no row, expected run,step,k_min,...,score, numbers",
           message);
       assertEquals(new StepRow(10, 7, 2.5), rows.get(rows.size() - 1));
     }
     Files.writeString(file, "run,step,k_min,score\n");
-    assertEquals(file, StepRow.each(folder, rows::add));
+    assertEquals(file, StepRow.forEachRow(folder, rows::add));
   }
 
   @Test
@@ -127,7 +128,7 @@ class ResultFilesTest {
     assertEquals("0.2", results.version());
   }
 
-  /** A crate may be a foreign file. */
+  /** The crate may be a file that another program wrote. */
   @Test
   void removesOnlyOwnFilesNamedByCrate() throws IOException {
     try (OutputFolder out = new OutputFolder(folder)) {
@@ -156,7 +157,7 @@ class ResultFilesTest {
             "scenario-a.xml"),
         RunFolderTest.names(folder));
     Files.writeString(folder.resolve(ResultFolder.CRATE), "no JSON");
-    commit(); // what cannot be read names nothing
+    commit(); // a damaged crate names no files
     assertTrue(RunFolderTest.names(folder).contains("policy-a.onnx"));
   }
 

@@ -61,7 +61,7 @@ class RunFolderTest {
   private static Scenario scenario;
 
   @BeforeAll
-  static void readTheScenario() throws IOException {
+  static void readScenario() throws IOException {
     scenario = read(Files.writeString(folder.resolve("site.xml"), SITE));
   }
 
@@ -120,12 +120,12 @@ class RunFolderTest {
     List<Map<String, String>> targets = rows(out.resolve("targets.csv"));
     assertEquals(STEPS * REPEATS, steps.size());
     for (Map<String, String> step : steps) {
-      long there =
+      long present =
           targets.stream()
               .filter(row -> row.get("run").equals(step.get("run")))
               .filter(row -> row.get("step").equals(step.get("step")))
               .count();
-      assertEquals(step.get("targets"), String.valueOf(there));
+      assertEquals(step.get("targets"), String.valueOf(present));
     }
     assertEquals(
         REPEATS * 2, targets.stream().filter(row -> row.get("target").equals("2.0")).count());
@@ -134,11 +134,11 @@ class RunFolderTest {
             .filter(row -> row.get("camera").equals("north") && row.get("run").equals("1"))
             .map(row -> row.get("step"))
             .toList();
-    assertEquals(List.of("0", "1"), north); // then it fails
+    assertEquals(List.of("0", "1"), north, "until the camera fails");
     Map<String, String> west = zooms.get(0);
     assertEquals("west", west.get("camera"));
     assertEquals("20.0", west.get("viewing_angle"));
-    assertEquals("1", west.get("moving")); // two seconds long
+    assertEquals("1", west.get("moving"), "for two seconds");
     assertEquals("0", zooms.get(zooms.size() - 1).get("moving"));
     assertEquals(0, Math.abs(Double.parseDouble(west.get("pan"))) % 40, 1e-9);
     assertEquals("4.0", targets.get(0).get("y"));
@@ -268,7 +268,7 @@ class RunFolderTest {
   }
 
   @Test
-  void settingsOfSeveralPlansAreAList() throws IOException {
+  void writesListOfSettingsOfSeveralPlans() throws IOException {
     Scenario plain =
         read(Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "ring-random.xml"));
     RunPlan lens =
@@ -300,19 +300,19 @@ class RunFolderTest {
     List<String> more = new ArrayList<>();
     claims.fieldNames().forEachRemaining(more::add);
     fixed.get("runs").get(0).fieldNames().forEachRemaining(more::remove);
-    assertFalse(more.isEmpty(), "what is proved: " + claims);
+    assertFalse(more.isEmpty(), "no proof in " + claims);
   }
 
   @Test
-  void singleRunWritesTheSameFiles() throws IOException {
+  void singleRunWritesSameFilesAsExecutor() throws IOException {
     RunPlan plan = plan("geometric", "random", 1);
     Path whole = run("whole", plan, Detail.VIEWS);
-    Path out = folder.resolve("own");
-    try (SingleRun own = new SingleRun(out, 0, plan.detection(), Detail.VIEWS, Following.NONE)) {
-      assertEquals(0, own.steps());
-      RunResult result = new RunExecutor(Catalogue.load()).repeat(plan, 0, List.of(own));
-      assertEquals(STEPS, own.steps());
-      own.commit(plan, Traffic.NONE, Optional.empty());
+    Path out = folder.resolve("single-run");
+    try (SingleRun single = new SingleRun(out, 0, plan.detection(), Detail.VIEWS, Following.NONE)) {
+      assertEquals(0, single.steps());
+      RunResult result = new RunExecutor(Catalogue.load()).repeat(plan, 0, List.of(single));
+      assertEquals(STEPS, single.steps());
+      single.commit(plan, Traffic.NONE, Optional.empty());
       assertEquals(plan.seed(), result.seed());
     }
     for (String name : List.of("steps.csv", "zooms.csv", "targets.csv")) {
@@ -326,7 +326,7 @@ class RunFolderTest {
   }
 
   @Test
-  void detectionByChanceHasItsNameAndColumns() throws IOException {
+  void writesColumnsOfDetectionByChance() throws IOException {
     Path out = run("chance", plan("hifi:orb-lin@chance", "fixed", 1), Detail.ZOOMS);
     String crate = Files.readString(out.resolve("ro-crate-metadata.json"));
     assertTrue(crate.contains("Detections: hifi:orb-lin@chance"), crate);
@@ -337,7 +337,7 @@ class RunFolderTest {
   }
 
   @Test
-  void writtenInputsGiveTheSameRun() throws IOException {
+  void writesInputsThatGiveSameRun() throws IOException {
     RunPlan fitted = plan("hifi:orb-lin@0.4", "fixed", 1);
     RunPlan other = plan("hifi:sift-lin", "fixed", 1);
     Path first = inputs("one", fitted, fitted);
@@ -369,7 +369,7 @@ class RunFolderTest {
     return out;
   }
 
-  /** The files of a folder without the record of their hashes. */
+  /** The names of a folder's files without the record of their hashes. */
   static List<String> names(Path out) throws IOException {
     try (Stream<Path> files = Files.list(out)) {
       return files

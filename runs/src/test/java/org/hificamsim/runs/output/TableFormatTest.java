@@ -21,13 +21,13 @@ class TableFormatTest {
 
   @Test
   void rejectsUnknownFormat() {
-    assertRefused(
+    assertRejects(
         "format is 'arrow', expected one of csv, parquet", () -> TableFormat.named("arrow"));
   }
 
   @Test
-  void namesMissingModule() {
-    assertRefused(
+  void reportsFormatWhoseModuleIsMissing() {
+    assertRejects(
         "format 'parquet' is not on the class path, expected its jars in CLASSPATH, or csv",
         () -> TableFormat.named("parquet"));
   }
@@ -35,18 +35,18 @@ class TableFormatTest {
   @Test
   void readsOnlyCsv() throws IOException {
     Path file = Files.createFile(folder.resolve("steps.parquet"));
-    assertRefused(
+    assertRejects(
         "'" + file + "' is not read here, expected a run with format=csv",
-        () -> StepRow.each(folder, row -> {}));
+        () -> StepRow.forEachRow(folder, row -> {}));
   }
 
-  private static void assertRefused(String message, Executable act) {
-    assertEquals(message, assertThrows(InputException.class, act).getMessage());
+  private static void assertRejects(String message, Executable call) {
+    assertEquals(message, assertThrows(InputException.class, call).getMessage());
   }
 
   @ParameterizedTest
   @MethodSource("tablesOfRuns")
-  void everyColumnOfARunHasAMeaning(Table<?> table) {
+  void everyColumnHasNameAndMeaning(Table<?> table) {
     List<String> names = table.columns().stream().map(Column::name).toList();
     assertFalse(names.isEmpty());
     assertEquals(names.size(), Set.copyOf(names).size());

@@ -34,11 +34,11 @@ class TextTableTest {
 
   @Test
   void writesBooktabsFloat() {
-    TextTable made = new TextTable(1, List.of("a", "of b"));
-    made.row(List.of("one", "1 [0, 2]"));
-    made.row(List.of("one", "2"));
-    made.row(List.of("two", "3"));
-    String table = made.latex("95% of k_min", "tab:x");
+    TextTable textTable = new TextTable(1, List.of("a", "of b"));
+    textTable.row(List.of("one", "1 [0, 2]"));
+    textTable.row(List.of("one", "2"));
+    textTable.row(List.of("two", "3"));
+    String table = textTable.latex("95% of k_min", "tab:x");
     assertEquals(
         List.of(
             "\\begin{table}",

@@ -10,17 +10,17 @@ import org.hificamsim.runs.Estimate;
 import org.junit.jupiter.api.Test;
 
 class AggregateTest {
-  private static final Strata TWO =
+  private static final Strata TWO_SCENARIOS =
       Strata.of(List.of(new double[] {0, 0.2, 0.4, 0.6}, new double[] {0.5, 0.7, 0.9, 1.3}));
 
   @Test
-  void interquartileMeanLeavesOutAQuarterAtEachEnd() {
-    assertEquals((0.4 + 0.5 + 0.6 + 0.7) / 4, Aggregate.IQM.of(TWO).mean(), 1e-12);
+  void interquartileMeanOmitsLowestAndHighestQuarter() {
+    assertEquals((0.4 + 0.5 + 0.6 + 0.7) / 4, Aggregate.IQM.of(TWO_SCENARIOS).mean(), 1e-12);
   }
 
   @Test
   void optimalityGapIgnoresScoresAboveOne() {
-    assertEquals(1 - (1.2 + 2.1 + 1) / 8, Aggregate.OPTIMALITY_GAP.of(TWO).mean(), 1e-12);
+    assertEquals(1 - (1.2 + 2.1 + 1) / 8, Aggregate.OPTIMALITY_GAP.of(TWO_SCENARIOS).mean(), 1e-12);
   }
 
   @Test
@@ -31,7 +31,7 @@ class AggregateTest {
   }
 
   @Test
-  void leavesOutRunsWithoutScore() {
+  void omitsRunsWithoutScore() {
     Strata gaps =
         Strata.of(List.of(new double[] {Double.NaN, 0.5}, new double[] {Double.NaN, Double.NaN}));
     assertEquals(1, gaps.runs());
@@ -50,9 +50,9 @@ class AggregateTest {
 
   @Test
   void intervalContainsValueAndIsReproducible() {
-    Estimate iqm = Aggregate.estimates(TWO).get(Aggregate.IQM);
+    Estimate iqm = Aggregate.estimates(TWO_SCENARIOS).get(Aggregate.IQM);
     assertTrue(iqm.low() < iqm.mean() && iqm.mean() < iqm.high(), iqm.toString());
-    assertEquals(iqm, Aggregate.estimates(TWO).get(Aggregate.IQM));
+    assertEquals(iqm, Aggregate.estimates(TWO_SCENARIOS).get(Aggregate.IQM));
   }
 
   @Test
@@ -63,7 +63,7 @@ class AggregateTest {
   }
 
   @Test
-  void intervalsOfLowScoresStayWithinWhatIsPossible() {
+  void intervalsStayWithinPossibleValues() {
     Strata low = Strata.of(List.of(new double[] {0, 0, 0, 0.05, 0.9}));
     assertEquals(0, Aggregate.MEAN.of(low).low());
     assertEquals(1, Aggregate.OPTIMALITY_GAP.of(low).high());

@@ -20,15 +20,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * Tests how often a 95% interval contains the true value if that is known, for scores in [0, 1]
- * that are skewed, symmetric, tied or often 1, as proportions of an optimum are. With five seeds
- * Student's interval of skewed scores holds the truth less often ({@code docs/data.md}).
+ * that are skewed, symmetric, tied or often 1, as proportions of an optimum are. With five seeds,
+ * Student's interval of skewed scores contains the true value less often ({@code docs/data.md}).
  */
 class IntervalCoverageTest {
   private static final double LEAST = 0.93;
   private static final double LEAST_OF_FEW_SKEWED_SCORES = 0.90;
   private static final double MOST = 0.97;
 
-  /** Of a share in 8000 simulations, one standard error. */
+  /** The standard error of a share in 8000 simulations. */
   private static final double SIMULATION_ERROR = 0.002;
 
   private final SplittableRandom random = new SplittableRandom(95);
@@ -47,14 +47,14 @@ class IntervalCoverageTest {
   })
   void coversMeanAsOftenAsStated(double alpha, double beta, int seeds) {
     Scores scores = new Scores(new BetaDistribution(alpha, beta));
-    assertHolds(8000, LEAST, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
+    assertCovers(8000, LEAST, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
   }
 
   @ParameterizedTest
   @CsvSource({"20, 3", "8, 2", "1, 4"})
   void coversMeanOfFewSkewedScoresLessOften(double alpha, double beta) {
     Scores scores = new Scores(new BetaDistribution(alpha, beta));
-    assertHolds(
+    assertCovers(
         8000, LEAST_OF_FEW_SKEWED_SCORES, scores.mean(), () -> Estimate.mean(scores.draw(5)));
   }
 
@@ -62,21 +62,21 @@ class IntervalCoverageTest {
   @CsvSource({"10, 5", "10, 10", "10, 30", "3, 5", "3, 10", "3, 30"})
   void coversMeanOfTiedScoresAsOftenAsStated(int values, int seeds) {
     Scores scores = new Scores(new BinomialDistribution(values, 0.6), values);
-    assertHolds(8000, LEAST, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
+    assertCovers(8000, LEAST, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
   }
 
   @ParameterizedTest
   @CsvSource({"10", "30"})
   void coversMeanOfScoresThatAreOftenOne(int seeds) {
     Scores scores = new Scores(new NormalDistribution(0.9, 0.12));
-    assertHolds(8000, LEAST, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
+    assertCovers(8000, LEAST, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
   }
 
   @ParameterizedTest
   @CsvSource({"10", "20", "30"})
   void coversMeanOfVerySkewedScores(int seeds) {
     Scores scores = new Scores(new ExponentialDistribution(1), Double.MAX_VALUE);
-    assertHolds(8000, LEAST, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
+    assertCovers(8000, LEAST, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
   }
 
   @ParameterizedTest
@@ -84,21 +84,22 @@ class IntervalCoverageTest {
   void coversInterquartileMeanAsOftenAsStated(int seeds) {
     Scores scores = new Scores(new BetaDistribution(8, 2));
     double truth = Aggregate.interquartileMean(Strata.of(List.of(scores.quantiles)));
-    assertHolds(2000, LEAST, truth, () -> Aggregate.IQM.of(Strata.of(List.of(scores.draw(seeds)))));
+    assertCovers(
+        2000, LEAST, truth, () -> Aggregate.IQM.of(Strata.of(List.of(scores.draw(seeds)))));
   }
 
   @ParameterizedTest
   @CsvSource({"5", "10", "30"})
   void coversShareOfProfileAsOftenAsStatedOnAverage(int seeds) {
     int trials = 300;
-    int held = 0;
+    int covered = 0;
     for (int trial = 0; trial < trials; trial++) {
       Estimate[] shares = Aggregate.profile(Strata.of(List.of(random.doubles(seeds).toArray())));
       for (int percent = 5; percent <= 95; percent++) {
-        held += holds(shares[percent], 1 - percent / 100.0) ? 1 : 0;
+        covered += contains(shares[percent], 1 - percent / 100.0) ? 1 : 0;
       }
     }
-    assertWithin(LEAST, held / (91.0 * trials));
+    assertWithin(LEAST, covered / (91.0 * trials));
   }
 
   @ParameterizedTest
@@ -106,21 +107,21 @@ class IntervalCoverageTest {
   void coversProbabilityOfImprovementAsOftenAsStated(double distance, int seeds) {
     NormalDistribution normal = new NormalDistribution();
     Scores policy = new Scores(new NormalDistribution(distance, 1), Double.MAX_VALUE);
-    Scores over = new Scores(normal, Double.MAX_VALUE);
-    assertHolds(
+    Scores other = new Scores(normal, Double.MAX_VALUE);
+    assertCovers(
         4000,
         LEAST,
         normal.cumulativeProbability(distance / Math.sqrt(2)),
         () ->
             Aggregate.improvement(
-                Strata.of(List.of(policy.draw(seeds))), Strata.of(List.of(over.draw(seeds)))));
+                Strata.of(List.of(policy.draw(seeds))), Strata.of(List.of(other.draw(seeds)))));
   }
 
   @ParameterizedTest
   @CsvSource({"5", "10", "30"})
   void coversRatioOfSumsAsOftenAsStated(int seeds) {
     Scores scores = new Scores(new BetaDistribution(8, 2));
-    assertHolds(
+    assertCovers(
         1200,
         seeds < 10 ? LEAST_OF_FEW_SKEWED_SCORES : LEAST,
         scores.mean(),
@@ -137,7 +138,7 @@ class IntervalCoverageTest {
   void coversMeanOverScenariosAsOftenAsStated(int seeds) {
     Scores high = new Scores(new BetaDistribution(8, 2));
     Scores low = new Scores(new BetaDistribution(2, 8));
-    assertHolds(
+    assertCovers(
         4000,
         seeds < 10 ? 0.92 : LEAST,
         (high.mean() + low.mean()) / 2,
@@ -149,15 +150,15 @@ class IntervalCoverageTest {
 
   @ParameterizedTest
   @CsvSource({"5", "10", "30"})
-  void drawnMeanHasNearlySameInterval(int seeds) {
+  void bootstrapOfMeanHasNearlySameInterval(int seeds) {
     double[] scores = new Scores(new BetaDistribution(8, 2)).draw(seeds);
     Estimate mean = Estimate.mean(scores);
-    Estimate drawn =
+    Estimate bootstrap =
         Bootstrap.of(
-            seeds, again -> Arrays.stream(again).mapToDouble(i -> scores[i]).sum() / seeds);
+            seeds, drawn -> Arrays.stream(drawn).mapToDouble(i -> scores[i]).sum() / seeds);
     double width = mean.high() - mean.low();
-    assertEquals(mean.low(), drawn.low(), 0.1 * width);
-    assertEquals(mean.high(), drawn.high(), 0.1 * width);
+    assertEquals(mean.low(), bootstrap.low(), 0.1 * width);
+    assertEquals(mean.high(), bootstrap.high(), 0.1 * width);
   }
 
   @Test
@@ -178,7 +179,7 @@ class IntervalCoverageTest {
   }
 
   @Test
-  void equalSharesHaveWidth() {
+  void intervalsOfEqualScoresAreNotEmpty() {
     Strata best = Strata.of(List.of(new double[] {1, 1, 1, 1, 1}));
     Strata worst = Strata.of(List.of(new double[] {0, 0, 0, 0, 0}));
     Estimate share = Aggregate.profile(best)[50];
@@ -189,7 +190,7 @@ class IntervalCoverageTest {
     assertTrue(better.low() > 0.5 && better.low() < 0.8, better.toString());
   }
 
-  private static void assertHolds(
+  private static void assertCovers(
       int trials, double least, double truth, Supplier<Estimate> interval) {
     assertWithin(least, share(trials, truth, interval));
   }
@@ -197,18 +198,18 @@ class IntervalCoverageTest {
   private static void assertWithin(double least, double share) {
     assertTrue(
         share >= least && share <= MOST + SIMULATION_ERROR,
-        "the interval holds the truth in " + share);
+        "the interval contains the true value in " + share);
   }
 
   private static double share(int trials, double truth, Supplier<Estimate> interval) {
-    int held = 0;
+    int covered = 0;
     for (int trial = 0; trial < trials; trial++) {
-      held += holds(interval.get(), truth) ? 1 : 0;
+      covered += contains(interval.get(), truth) ? 1 : 0;
     }
-    return (double) held / trials;
+    return (double) covered / trials;
   }
 
-  private static boolean holds(Estimate estimate, double truth) {
+  private static boolean contains(Estimate estimate, double truth) {
     return estimate.low() <= truth && truth <= estimate.high();
   }
 
@@ -216,7 +217,7 @@ class IntervalCoverageTest {
   private final class Scores {
     private final double[] quantiles = new double[1000];
 
-    /** At most 1. */
+    /** Scores of a distribution, cut at 1. */
     Scores(AbstractRealDistribution distribution) {
       this(distribution, 1);
     }

@@ -15,7 +15,7 @@ class PairsTest {
   void probabilityOfImprovementCountsTiesHalfAndScenariosEqually() {
     Strata policy = Strata.of(List.of(new double[] {1, 2}, new double[] {5, 5, 5}));
     Strata other = Strata.of(List.of(new double[] {2, 0}, new double[] {1, 1, 1}));
-    double first = (1 + 1 + 0.5) / 4; // 1 over 0, 2 over 0, 2 beside 2
+    double first = (1 + 1 + 0.5) / 4; // 1 beats 0, 2 beats 0, 2 ties with 2
     assertEquals((first + 1) / 2, Aggregate.probability(policy, other), 1e-12);
     assertEquals(1 - (first + 1) / 2, Aggregate.probability(other, policy), 1e-12);
   }
@@ -61,7 +61,7 @@ class PairsTest {
   }
 
   @Test
-  void holmMultipliesSmallestPValueByTheirNumber() {
+  void holmMultipliesSmallestPValueByNumberOfTests() {
     double[] p = {0.04, 0.01, Double.NaN, 0.03, 0.02, 0.5};
     assertArrayEquals(
         new double[] {0.09, 0.05, Double.NaN, 0.09, 0.08, 0.5}, PairedTest.corrected(p), 1e-12);
@@ -69,7 +69,7 @@ class PairsTest {
   }
 
   @Test
-  void saysHowManySeedsADifferenceTakes() {
+  void computesSeedsThatDifferenceNeeds() {
     assertEquals(6, PairedTest.leastSeeds(1));
     assertEquals(10, PairedTest.leastSeeds(25));
     assertEquals(13, PairedTest.leastSeeds(135));

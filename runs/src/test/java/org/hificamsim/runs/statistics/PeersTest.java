@@ -17,9 +17,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /**
- * Compares statistics with those of rliable and SciPy for the same scores: with the answers of
- * rliable 1.2.0 and SciPy 1.17 in {@code peers.json}, or with those of the Python that
- * HIFICAMSIM_PYTHON names ({@code pip install rliable 'pandas<3'}).
+ * Compares statistics with those of rliable and SciPy for the same scores: with the recorded
+ * results of rliable 1.2.0 and SciPy 1.17 in {@code peers.json}, or with those of a Python
+ * interpreter that the variable HIFICAMSIM_PYTHON names ({@code pip install rliable 'pandas<3'}).
  */
 class PeersTest {
   private static final Optional<String> PYTHON =
@@ -30,23 +30,23 @@ class PeersTest {
 
   private static final Strata X = scores(0.7, 1);
   private static final Strata Y = scores(0.66, 2);
-  private static JsonNode theirs;
+  private static JsonNode peers;
 
   @BeforeAll
-  static void ask() throws Exception {
+  static void readResultsOfPeers() throws Exception {
     ObjectNode question = JSON.createObjectNode().put("few", PairedTest.MAX_EXACT - 4);
     question.putPOJO("x", X.scores());
     question.putPOJO("y", Y.scores());
     question.putPOJO("taus", Aggregate.TAUS);
-    JsonNode asked = JSON.readTree(JSON.writeValueAsBytes(question));
+    JsonNode scoresAsJson = JSON.readTree(JSON.writeValueAsBytes(question));
     if (PYTHON.isPresent()) {
-      theirs = answer(asked);
+      peers = answer(scoresAsJson);
       return;
     }
     try (InputStream recorded = PeersTest.class.getResourceAsStream("peers.json")) {
       JsonNode both = JSON.readTree(recorded);
-      assertEquals(both.get("question"), asked, "recorded of other scores");
-      theirs = both.get("answer");
+      assertEquals(both.get("question"), scoresAsJson, "recorded of other scores");
+      peers = both.get("answer");
     }
   }
 
@@ -55,27 +55,27 @@ class PeersTest {
     Aggregate[] aggregates = Aggregate.values();
     for (int i = 0; i < aggregates.length; i++) {
       Estimate ours = Aggregate.estimates(X).get(aggregates[i]);
-      assertEquals(theirs.at("/aggregates/" + i).asDouble(), ours.mean(), ROUNDING);
-      assertClose(theirs.at("/ends/0/" + i), theirs.at("/ends/1/" + i), ours);
+      assertEquals(peers.at("/aggregates/" + i).asDouble(), ours.mean(), ROUNDING);
+      assertClose(peers.at("/ends/0/" + i), peers.at("/ends/1/" + i), ours);
     }
   }
 
   @Test
   void probabilityOfImprovementAgreesWithRliable() {
     Estimate ours = Aggregate.improvement(X, Y);
-    assertEquals(theirs.at("/improvement/0").asDouble(), ours.mean(), ROUNDING);
-    assertClose(theirs.at("/improvementEnds/0"), theirs.at("/improvementEnds/1"), ours);
+    assertEquals(peers.at("/improvement/0").asDouble(), ours.mean(), ROUNDING);
+    assertClose(peers.at("/improvementEnds/0"), peers.at("/improvementEnds/1"), ours);
   }
 
-  /** Wilson's intervals do not use that scenarios differ, so that they are not shorter. */
+  /** Wilson's intervals ignore that scenarios differ, and are therefore longer. */
   @Test
   void profileContainsIntervalsOfRliable() {
     Estimate[] ours = Aggregate.profile(X);
     for (int i = 0; i < Aggregate.TAUS.length; i++) {
       Estimate share = ours[i];
-      assertEquals(theirs.at("/profile/" + i).asDouble(), share.mean(), ROUNDING);
-      double low = theirs.at("/profileEnds/0/" + i).asDouble();
-      double high = theirs.at("/profileEnds/1/" + i).asDouble();
+      assertEquals(peers.at("/profile/" + i).asDouble(), share.mean(), ROUNDING);
+      double low = peers.at("/profileEnds/0/" + i).asDouble();
+      double high = peers.at("/profileEnds/1/" + i).asDouble();
       assertTrue(share.low() < low + 0.02 && share.high() > high - 0.02);
       assertTrue(share.high() - share.low() < 0.22);
     }
@@ -86,8 +86,8 @@ class PeersTest {
     double[] differences = new double[SEEDS];
     Arrays.setAll(differences, i -> X.scores()[0][i] - Y.scores()[0][i]);
     double[] few = Arrays.copyOf(differences, PairedTest.MAX_EXACT - 4);
-    assertEquals(theirs.at("/exact").asDouble(), PairedTest.p(few), ROUNDING);
-    assertEquals(theirs.at("/drawn").asDouble(), PairedTest.p(differences), 0.005);
+    assertEquals(peers.at("/exact").asDouble(), PairedTest.p(few), ROUNDING);
+    assertEquals(peers.at("/drawn").asDouble(), PairedTest.p(differences), 0.005);
   }
 
   /** Compares ends of intervals, which depend on draws, to a tenth of their width. */

@@ -18,15 +18,15 @@ class StrataTest {
               new double[] {Double.NaN}));
 
   @Test
-  void sortsDrawnScores() {
+  void sortsScoresAndDrawnScores() {
     SplittableRandom random = new SplittableRandom(1);
     for (int i = 0; i < 100; i++) {
-      assertRising(STRATA.drawn(random));
+      assertSorts(STRATA.drawn(random));
     }
-    assertRising(STRATA);
+    assertSorts(STRATA);
   }
 
-  private static void assertRising(Strata strata) {
+  private static void assertSorts(Strata strata) {
     double[] all =
         Arrays.stream(strata.scores()).flatMapToDouble(Arrays::stream).sorted().toArray();
     assertArrayEquals(bits(all), bits(strata.sorted()));
@@ -46,15 +46,15 @@ class StrataTest {
     SplittableRandom expected = new SplittableRandom(7);
     double[][] drawn = STRATA.drawn(new SplittableRandom(7)).scores();
     for (int scenario = 0; scenario < drawn.length; scenario++) {
-      double[] own = STRATA.scores()[scenario];
+      double[] scores = STRATA.scores()[scenario];
       for (double score : drawn[scenario]) {
-        assertEquals(own[expected.nextInt(own.length)], score);
+        assertEquals(scores[expected.nextInt(scores.length)], score);
       }
     }
   }
 
   @Test
-  void leavesOutMissingScores() {
+  void omitsMissingScores() {
     assertEquals(8, STRATA.runs());
     assertEquals(2, STRATA.scenarios());
   }
