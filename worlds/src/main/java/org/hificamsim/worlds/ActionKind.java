@@ -20,8 +20,8 @@ public enum ActionKind {
     }
 
     @Override
-    int view(NetworkView network, int camera, int[] actions, int at, Steering steering) {
-      return actions[at] < network.views(camera) ? actions[at] : network.view(camera);
+    int view(NetworkView network, int camera, int[] actions, int offset, Steering steering) {
+      return actions[offset] < network.views(camera) ? actions[offset] : network.view(camera);
     }
 
     @Override
@@ -46,13 +46,13 @@ public enum ActionKind {
     }
 
     @Override
-    int view(NetworkView network, int camera, int[] actions, int at, Steering steering) {
+    int view(NetworkView network, int camera, int[] actions, int offset, Steering steering) {
       int pan = network.panOf(camera, network.view(camera));
       int zoom = network.zoomOf(camera, network.view(camera));
       return network.viewAt(
           camera,
-          moved(pan, actions[at] - 1, network.pans(camera)),
-          moved(zoom, actions[at + 1] - 1, network.zooms(camera)));
+          moved(pan, actions[offset] - 1, network.pans(camera)),
+          moved(zoom, actions[offset + 1] - 1, network.zooms(camera)));
     }
 
     @Override
@@ -60,8 +60,8 @@ public enum ActionKind {
       for (int step = 0; step < 3; step++) {
         int pan = network.panOf(camera, network.view(camera)) + step - 1;
         int zoom = network.zoomOf(camera, network.view(camera)) + step - 1;
-        out[from + step] = (byte) (isOneOf(network.pans(camera), pan) ? 1 : 0);
-        out[from + 3 + step] = (byte) (isOneOf(network.zooms(camera), zoom) ? 1 : 0);
+        out[from + step] = (byte) (isInRange(network.pans(camera), pan) ? 1 : 0);
+        out[from + 3 + step] = (byte) (isInRange(network.zooms(camera), zoom) ? 1 : 0);
       }
     }
 
@@ -90,8 +90,8 @@ public enum ActionKind {
     }
 
     @Override
-    int view(NetworkView network, int camera, int[] actions, int at, Steering steering) {
-      return steering.move(network, camera, rate(actions[at]), rate(actions[at + 1]));
+    int view(NetworkView network, int camera, int[] actions, int offset, Steering steering) {
+      return steering.move(network, camera, rate(actions[offset]), rate(actions[offset + 1]));
     }
 
     private static double rate(int action) {
@@ -105,16 +105,16 @@ public enum ActionKind {
     this.numbers = numbers;
   }
 
-  private static boolean isOneOf(int count, int number) {
+  private static boolean isInRange(int count, int number) {
     return number >= 0 && number < count;
   }
 
   /** Returns the number after a move, or the same number if the move leads out of range. */
-  private static int moved(int number, int by, int count) {
-    return isOneOf(count, number + by) ? number + by : number;
+  private static int moved(int number, int change, int count) {
+    return isInRange(count, number + change) ? number + change : number;
   }
 
-  /** The number of numbers in an action. */
+  /** The length of an action: how many numbers it consists of. */
   public int numbers() {
     return numbers;
   }
@@ -127,14 +127,20 @@ public enum ActionKind {
     return choices(network);
   }
 
-  /** Returns the view that an action selects for a camera. */
-  abstract int view(NetworkView network, int camera, int[] actions, int at, Steering steering);
+  /**
+   * Returns the view that an action selects for a camera.
+   *
+   * @param offset the index of the camera's action in {@code actions}
+   */
+  abstract int view(NetworkView network, int camera, int[] actions, int offset, Steering steering);
 
   /**
-   * Writes 1, over zeros, for the allowed actions of a camera that is not moving; not for rates.
+   * Writes 1 for the allowed actions of a camera that is not moving; not called for rates.
+   *
+   * @param out receives the masks, which are 0 before
    */
   void mask(NetworkView network, int camera, byte[] out, int from, int to) {}
 
-  /** Writes 1 for the action by which a moving camera continues; not for rates. */
+  /** Writes 1 for the action by which a moving camera continues; not called for rates. */
   void maskMoving(NetworkView network, int camera, byte[] out, int from) {}
 }

@@ -6,7 +6,8 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 
 /**
- * What each camera contributed in a step: targets that it sees, those it adds, and bits it sends.
+ * The contribution of each camera in a step: the targets that it sees, the targets that only it
+ * sees, and the bits that it sends.
  */
 final class CameraDetails {
   /** The number of values for each camera: seen, added, sent. */
@@ -34,9 +35,9 @@ final class CameraDetails {
     Arrays.fill(values, 0);
     network.findSeen(pairs);
     for (int i = 0; i < pairs.count(); i++) {
-      int at = pairs.camera(i) * COUNT;
-      values[at]++;
-      values[at + 1] += network.coverage(pairs.target(i)) == 1 ? 1 : 0;
+      int offset = pairs.camera(i) * COUNT;
+      values[offset]++;
+      values[offset + 1] += network.coverage(pairs.target(i)) == 1 ? 1 : 0;
     }
     for (int camera = 0; camera < sentBefore.length; camera++) {
       values[camera * COUNT + 2] = radio.everSent(camera) - sentBefore[camera];

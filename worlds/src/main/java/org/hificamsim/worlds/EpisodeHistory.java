@@ -19,11 +19,11 @@ final class EpisodeHistory {
   }
 
   /** Adds the actions of a step, which must fit 16 bits. */
-  void add(int[] ofStep) {
-    if (length + ofStep.length > actions.length) {
-      actions = Arrays.copyOf(actions, Math.max(2 * actions.length, length + ofStep.length));
+  void add(int[] stepActions) {
+    if (length + stepActions.length > actions.length) {
+      actions = Arrays.copyOf(actions, Math.max(2 * actions.length, length + stepActions.length));
     }
-    for (int action : ofStep) {
+    for (int action : stepActions) {
       actions[length++] = (short) action;
     }
   }

@@ -1,6 +1,6 @@
 package org.hificamsim.worlds;
 
-/** A step in a world whose episode is over. */
+/** Thrown by a step in a world whose episode is over. */
 public final class EpisodeOverException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

@@ -5,9 +5,9 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * The allowed actions of each camera. An action is one or more numbers; each has a mask with an
- * entry for each choice, 1 if it is allowed. A moving camera may only continue. An offline camera
- * may get any action that it has, since none has an effect.
+ * Computes the allowed actions of each camera. An action is one or more numbers; each has a mask
+ * with an entry for each choice, 1 if it is allowed. A moving camera may only continue. An offline
+ * camera may get any of its actions, since none has an effect.
  */
 public final class Masks {
   private final ActionKind kind;
@@ -27,7 +27,7 @@ public final class Masks {
   }
 
   /** Returns the masks of all cameras before a decision. */
-  public byte[] of(NetworkView network) {
+  public byte[] compute(NetworkView network) {
     Arrays.fill(masks, (byte) 0);
     for (int camera = 0; camera < network.cameras(); camera++) {
       int from = camera * width;

@@ -6,9 +6,9 @@ import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * A run of cameras that are observed, and carry out actions which are decided elsewhere: by a
- * trained network, or by a program. In each step, call {@link #observe}, fill in {@link #actions},
- * and call {@link #decide}.
+ * Observes the cameras of a run, and carries out actions that are decided elsewhere: by a trained
+ * network, or by a program. In each step, call {@link #observe}, fill in {@link #actions}, and call
+ * {@link #decide}.
  */
 public final class ObservedPlay {
   private final ObservationLayout layout;
@@ -22,8 +22,8 @@ public final class ObservedPlay {
   /**
    * Prepares a run.
    *
-   * @param kind of the actions
-   * @param layout of the observations
+   * @param kind the kind of the actions
+   * @param layout the layout of the observations
    */
   public ObservedPlay(NetworkView network, ActionKind kind, ObservationLayout layout) {
     this.layout = layout;
@@ -48,9 +48,9 @@ public final class ObservedPlay {
     return observations;
   }
 
-  /** The choices that are allowed in the step, as of {@link Masks#of}. */
+  /** The choices that are allowed in the step, as {@link Masks#compute} returns them. */
   public byte[] masks(NetworkView network) {
-    return masks.of(network);
+    return masks.compute(network);
   }
 
   /** The actions of the next decision, one camera after the other; to be filled in. */

@@ -28,7 +28,7 @@ final class OneWorld implements StepListener {
   /** The length of {@link #measures}. */
   static final int MEASURES = 3;
 
-  private static final int STATE_OF_TARGET = 4;
+  private static final int NUMBERS_PER_TARGET = 4;
 
   private final WorldSettings settings;
   private World world;
@@ -43,7 +43,7 @@ final class OneWorld implements StepListener {
   /** The actions of the current episode; null if they are not kept. */
   private EpisodeHistory history;
 
-  /** What each camera contributed; null if nobody asks. */
+  /** The contributions of cameras; null if they are not measured. */
   private CameraDetails details;
 
   private Simulation simulation;
@@ -53,7 +53,7 @@ final class OneWorld implements StepListener {
   private CameraObserver sharedObserver;
 
   private Masks masks;
-  private final long createdWith;
+  private final long firstSeed;
   private long seed;
   private long episode;
   private int step;
@@ -78,7 +78,7 @@ final class OneWorld implements StepListener {
     int cameras = first == null ? world.cameras().count() : first.rewards.length;
     rewards = new float[cameras];
     actions = new int[cameras * settings.actions().numbers()];
-    createdWith = seed;
+    firstSeed = seed;
     if (first == null) {
       reset(seed);
       sharedObserver = isDrawn() ? null : observer;
@@ -93,7 +93,7 @@ final class OneWorld implements StepListener {
   }
 
   /** Begins the next episode. */
-  void next() {
+  void beginNext() {
     episode++;
     begin();
   }
@@ -102,7 +102,7 @@ final class OneWorld implements StepListener {
     long episodeSeed = episodeSeed(seed, episode);
     if (isDrawn()) {
       world = settings.world(episodeSeed);
-    } else if (simulation != null || episodeSeed != createdWith) {
+    } else if (simulation != null || episodeSeed != firstSeed) {
       world.restart(episodeSeed);
     }
     reward.begin();
@@ -123,6 +123,7 @@ final class OneWorld implements StepListener {
     }
   }
 
+  /** Whether each episode has a scenario that is drawn for its seed. */
   private boolean isDrawn() {
     return settings.layouts() != null;
   }
@@ -186,7 +187,7 @@ final class OneWorld implements StepListener {
     listener = newListener;
   }
 
-  /** Keeps the actions of episodes from now on; to be called at the start of an episode. */
+  /** Keeps the actions of episodes from now on; to be called offset the start of an episode. */
   void keepHistory() {
     history = new EpisodeHistory();
   }
@@ -200,7 +201,7 @@ final class OneWorld implements StepListener {
     details = new CameraDetails(rewards.length);
   }
 
-  /** What each camera contributed in the last step; null if it is not measured. */
+  /** The contributions of cameras in the last step; null if they are not measured. */
   CameraDetails details() {
     return details;
   }
@@ -242,7 +243,7 @@ final class OneWorld implements StepListener {
     return actions;
   }
 
-  /** The advice of the expert at the last decision. */
+  /** The advice of the expert offset the last decision. */
   int[] advice() {
     return policy.advice();
   }
@@ -251,18 +252,18 @@ final class OneWorld implements StepListener {
     return rewards;
   }
 
-  /** Share of targets covered, k_min and score of the last step. */
+  /** The share of targets covered, k_min, and the score of the last step. */
   float[] measures() {
     return measures;
   }
 
   byte[] masks() {
-    return masks.of(network());
+    return masks.compute(network());
   }
 
   /** The length of a state. */
   static int stateSize(NetworkView network, ObservationLayout layout) {
-    return 1 + network.cameras() * layout.ownSize() + network.targets() * STATE_OF_TARGET;
+    return 1 + network.cameras() * layout.ownSize() + network.targets() * NUMBERS_PER_TARGET;
   }
 
   /**
@@ -277,19 +278,21 @@ final class OneWorld implements StepListener {
     OracleView network = simulation.network();
     Field field = settings.scenario().field();
     out[0] = (float) ((double) step / settings.steps());
-    int at = 1;
+    int offset = 1;
     for (int camera = 0; camera < network.cameras(); camera++) {
       int from = camera * settings.layout().size();
-      System.arraycopy(observations, from, out, at, settings.layout().ownSize());
-      at += settings.layout().ownSize();
+      System.arraycopy(observations, from, out, offset, settings.layout().ownSize());
+      offset += settings.layout().ownSize();
     }
     for (int target = 0; target < network.targets(); target++) {
       boolean present = network.present(target);
-      out[at] = present ? 1 : 0;
-      out[at + 1] = present ? fraction(network.targetX(target), field.minX(), field.width()) : 0;
-      out[at + 2] = present ? fraction(network.targetY(target), field.minY(), field.height()) : 0;
-      out[at + 3] = present ? (float) network.coverage(target) / network.cameras() : 0;
-      at += STATE_OF_TARGET;
+      out[offset] = present ? 1 : 0;
+      out[offset + 1] =
+          present ? fraction(network.targetX(target), field.minX(), field.width()) : 0;
+      out[offset + 2] =
+          present ? fraction(network.targetY(target), field.minY(), field.height()) : 0;
+      out[offset + 3] = present ? (float) network.coverage(target) / network.cameras() : 0;
+      offset += NUMBERS_PER_TARGET;
     }
   }
 

@@ -57,7 +57,7 @@ public final class PlayedPolicy implements ZoomPolicy {
     }
   }
 
-  /** By camera, the view chosen by the expert at the last decision, or {@link #NO_ADVICE}. */
+  /** By camera: the view that the expert chose at the last decision, or {@link #NO_ADVICE}. */
   int[] advice() {
     return advice;
   }
@@ -72,7 +72,7 @@ public final class PlayedPolicy implements ZoomPolicy {
   }
 
   /**
-   * Sets who observes the cameras, and is told which views they choose.
+   * Sets the observer of the cameras, which receives the views that they choose.
    *
    * @param newObserver null for none
    */

@@ -7,7 +7,7 @@ import org.hificamsim.core.policy.NetworkView;
 @FunctionalInterface
 public interface Reward {
   /**
-   * Computes the rewards for the observation just made.
+   * Computes the rewards for the last observation.
    *
    * @param out receives the reward of each camera
    */

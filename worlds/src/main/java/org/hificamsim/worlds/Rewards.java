@@ -9,7 +9,7 @@ import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
 
-/** The rewards, by name. */
+/** Registers the rewards by name. */
 public final class Rewards {
   private Rewards() {}
 

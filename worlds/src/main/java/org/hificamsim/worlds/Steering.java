@@ -47,8 +47,8 @@ final class Steering {
     return network.viewAt(camera, nearest(network, camera), (int) Math.round(zoom[camera]));
   }
 
-  private static double finiteOr(double speed, double atOnce) {
-    return speed < Double.POSITIVE_INFINITY ? speed : atOnce;
+  private static double finiteOr(double speed, double instantMove) {
+    return speed < Double.POSITIVE_INFINITY ? speed : instantMove;
   }
 
   private static double clamp(double value, double least, double most) {
@@ -63,10 +63,10 @@ final class Steering {
     double tilt = network.zoom(camera, network.view(camera)).vertical().tilt();
     int nearest = network.panOf(camera, network.view(camera));
     for (int number = 0; number < network.pans(camera); number++) {
-      boolean level =
+      boolean hasCurrentTilt =
           network.zoom(camera, network.viewAt(camera, number, 0)).vertical().tilt() == tilt;
       nearest =
-          level && distance(network, camera, number) < distance(network, camera, nearest)
+          hasCurrentTilt && distance(network, camera, number) < distance(network, camera, nearest)
               ? number
               : nearest;
     }

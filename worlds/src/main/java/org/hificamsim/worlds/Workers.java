@@ -18,20 +18,20 @@ final class Workers implements AutoCloseable {
   /** The number of spins before a worker sleeps: some tens of microseconds. */
   private static final int SPINS = 2_000;
 
-  /** The share of a worker in some work. */
+  /** Work that is divided among the workers. */
   @FunctionalInterface
   interface Share {
     /**
      * Does the share of a worker.
      *
-     * @param worker in [0, {@link #count})
+     * @param worker the number of the worker, in [0, {@link #count})
      */
     void run(int worker);
   }
 
   private final Thread[] threads;
   private final AtomicInteger round = new AtomicInteger();
-  private final AtomicInteger atWork = new AtomicInteger();
+  private final AtomicInteger unfinishedWorkers = new AtomicInteger();
   private final AtomicReference<Throwable> failure = new AtomicReference<>();
   private Share share;
   private volatile Thread caller;
@@ -50,7 +50,7 @@ final class Workers implements AutoCloseable {
   /**
    * Returns a number of workers.
    *
-   * @param count 1 or more, including the caller
+   * @param count the number, 1 or more, including the caller
    */
   static Workers of(int count) {
     return count == 1 ? CALLER : new Workers(count);
@@ -78,13 +78,13 @@ final class Workers implements AutoCloseable {
     }
     share = newShare;
     caller = Thread.currentThread();
-    atWork.set(threads.length);
+    unfinishedWorkers.set(threads.length);
     round.incrementAndGet();
     for (Thread thread : threads) {
       LockSupport.unpark(thread);
     }
     attempt(0);
-    for (int spins = 0; atWork.get() > 0; spins++) {
+    for (int spins = 0; unfinishedWorkers.get() > 0; spins++) {
       pause(spins);
     }
     rethrow();
@@ -101,7 +101,7 @@ final class Workers implements AutoCloseable {
       }
       finishedRound = round.get();
       attempt(worker);
-      if (atWork.decrementAndGet() == 0) {
+      if (unfinishedWorkers.decrementAndGet() == 0) {
         LockSupport.unpark(caller);
       }
     }

@@ -18,7 +18,7 @@ import org.hificamsim.core.world.World;
  *     scenario}
  * @param reward creates the reward of each world
  * @param steps the number of steps of an episode, 1 or more
- * @param autoReset when a world begins its next episode
+ * @param autoReset the time at which a world begins its next episode
  * @param expert creates the expert of each episode, whose advice is written; null for none
  */
 public record WorldSettings(
@@ -32,7 +32,7 @@ public record WorldSettings(
     int steps,
     AutoReset autoReset,
     Supplier<ZoomPolicy> expert) {
-  /** When the next episode begins: in the call that ends one, in the next call, or on request. */
+  /** The time of the next episode: in the call that ends one, in the next call, or on request. */
   public enum AutoReset {
     SAME_STEP,
     NEXT_STEP,

@@ -43,13 +43,16 @@ public final class Worlds implements AutoCloseable {
   private final FloatBuffer details;
   private final int[] choices;
   private final int[] maskedRevision;
-  private final boolean maskOften;
+
+  /** Whether masks may change in any step, and not only when cameras change. */
+  private final boolean masksChangeOften;
+
   private final float[][] stateByWorker;
   private final float[][] observationsByWorker;
   private final SeenPairs[] pairsByWorker;
-  private final Workers.Share stepping = shared(this::step);
-  private final Workers.Share resetting = shared(this::reset);
-  private final Workers.Share writingStates = shared(this::writeState);
+  private final Workers.Share stepping = divide(this::step);
+  private final Workers.Share resetting = divide(this::reset);
+  private final Workers.Share writingStates = divide(this::writeState);
   private long seed;
   private boolean restarted;
 
@@ -57,25 +60,25 @@ public final class Worlds implements AutoCloseable {
   @FunctionalInterface
   private interface Work {
     /** Acts on the i-th world, in a worker. */
-    void on(int i, int worker);
+    void runOn(int i, int worker);
   }
 
   /**
-   * Returns the share of each worker: the work on its worlds. Created once, so that steps do not
+   * Divides work on all worlds among the workers. The result is created once, so that steps do not
    * allocate.
    */
-  private Workers.Share shared(Work work) {
+  private Workers.Share divide(Work work) {
     return worker -> {
       int end = workers.first(worker + 1, worlds.length);
       for (int i = workers.first(worker, worlds.length); i < end; i++) {
-        work.on(i, worker);
+        work.runOn(i, worker);
       }
     };
   }
 
-  private static void requirePositive(String what, int number) {
+  private static void requirePositive(String noun, int number) {
     if (number < 1) {
-      throw new InputException(number + " " + what + ", expected 1 or more");
+      throw new InputException(number + " " + noun + ", expected 1 or more");
     }
   }
 
@@ -100,12 +103,12 @@ public final class Worlds implements AutoCloseable {
     OneWorld first = new OneWorld(settings, seed, null);
     NetworkView network = first.network();
     block = Block.of(count, first, settings);
-    // Before the worlds, since the block of too many worlds cannot be allocated.
+    // allocated before the worlds, since it fails if there are too many
     memory = allocator.apply(block.bytes());
     worlds = new OneWorld[count];
     workers = Workers.of(Math.min(threads, count));
     workers.run(
-        shared(
+        divide(
             (i, worker) -> worlds[i] = i == 0 ? first : new OneWorld(settings, seed + i, first)));
     actions = block.slice(memory, "actions").asIntBuffer();
     observations = block.slice(memory, "observations").asFloatBuffer();
@@ -120,7 +123,7 @@ public final class Worlds implements AutoCloseable {
     states = block.slice(memory, "states").asFloatBuffer();
     choices = settings.actions().choices(network);
     maskedRevision = new int[count];
-    maskOften = settings.actions() == ActionKind.STEPS || takesTime();
+    masksChangeOften = settings.actions() == ActionKind.STEPS || takesTime();
     observationsByWorker = new float[workers.count()][network.cameras() * settings.layout().size()];
     pairsByWorker = new SeenPairs[workers.count()];
     Arrays.setAll(pairsByWorker, worker -> new SeenPairs());
@@ -188,7 +191,7 @@ public final class Worlds implements AutoCloseable {
     if (restarted) {
       worlds[i].reset(seed + i);
     } else {
-      worlds[i].next();
+      worlds[i].beginNext();
     }
     writeDetails(i, worlds[i].details());
     observe(i, observations, worker);
@@ -208,7 +211,7 @@ public final class Worlds implements AutoCloseable {
 
   private void step(int i, int worker) {
     OneWorld world = worlds[i];
-    if (world.isOver()) { // Only with AutoReset.NEXT_STEP.
+    if (world.isOver()) { // possible with AutoReset.NEXT_STEP alone
       beginNextEpisode(i, worker);
       return;
     }
@@ -222,10 +225,10 @@ public final class Worlds implements AutoCloseable {
     if (world.isOver() && settings.autoReset() == AutoReset.SAME_STEP) {
       observe(i, finals, worker);
       writeMasks(i, finalMasks);
-      world.next();
+      world.beginNext();
     }
     observe(i, observations, worker);
-    if (maskOften || world.network().revision() != maskedRevision[i]) {
+    if (masksChangeOften || world.network().revision() != maskedRevision[i]) {
       writeMasks(i);
     }
   }
@@ -235,14 +238,15 @@ public final class Worlds implements AutoCloseable {
     Arrays.fill(zeros, 0);
     rewards.put(i * zeros.length, zeros);
     ends.put(i, (byte) 0);
-    worlds[i].next();
+    worlds[i].beginNext();
     writeDetails(i, worlds[i].details());
     observe(i, observations, worker);
     writeMasks(i);
   }
 
   /**
-   * Writes observations through an array that the worlds of a worker share, so it stays in cache.
+   * Writes observations through an array that the worlds of a worker share, so that it stays in the
+   * processor's cache.
    */
   private void observe(int i, FloatBuffer into, int worker) {
     float[] out = observationsByWorker[worker];
@@ -272,29 +276,29 @@ public final class Worlds implements AutoCloseable {
       if (settings.autoReset() == AutoReset.DISABLED && worlds[i].isOver()) {
         throw new EpisodeOverException(settings.steps());
       }
-      for (int at = 0; at < numbersPerWorld; at += choices.length) {
-        checkActions(i, i * numbersPerWorld, at);
+      for (int offset = 0; offset < numbersPerWorld; offset += choices.length) {
+        checkActions(i, i * numbersPerWorld, offset);
       }
     }
   }
 
-  private void checkActions(int world, int first, int at) {
+  private void checkActions(int world, int first, int offset) {
     for (int number = 0; number < choices.length; number++) {
-      int action = actions.get(first + at + number);
+      int action = actions.get(first + offset + number);
       int least = settings.expert() == null ? 0 : PlayedPolicy.AS_ADVISED;
       if (action < least || action >= choices[number]) {
-        rejectAction(world, at + number, action);
+        rejectAction(world, offset + number, action);
       }
     }
   }
 
-  private void rejectAction(int world, int at, int action) {
+  private void rejectAction(int world, int offset, int action) {
     throw InputException.of(
         "action %s of camera %s in world %s, expected 0 to %s",
         action,
-        worlds[world].network().cameraName(at / choices.length),
+        worlds[world].network().cameraName(offset / choices.length),
         world,
-        (choices[at % choices.length] - 1));
+        (choices[offset % choices.length] - 1));
   }
 
   /** Writes the state of every world. */
@@ -372,11 +376,11 @@ public final class Worlds implements AutoCloseable {
 
   private void replay(int i, short[] history) {
     OneWorld world = worlds[i];
-    int[] ofStep = world.actions();
+    int[] stepActions = world.actions();
     observe(i, observations, 0);
-    for (int from = 0; from < history.length; from += ofStep.length) {
-      for (int number = 0; number < ofStep.length; number++) {
-        ofStep[number] = history[from + number];
+    for (int from = 0; from < history.length; from += stepActions.length) {
+      for (int number = 0; number < stepActions.length; number++) {
+        stepActions[number] = history[from + number];
       }
       world.step();
       observe(i, observations, 0);

@@ -1,4 +1,2 @@
-/**
- * Many simulations side by side, stepped by one call, with what learners need in shared buffers.
- */
+/** Many simulations that are stepped by one call, with the data of learners in shared memory. */
 package org.hificamsim.worlds;

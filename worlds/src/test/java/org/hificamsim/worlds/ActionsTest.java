@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.policy.NetworkView;
 import org.junit.jupiter.api.Test;
 
-/** Cameras of mate-4v8-9 take their time to turn; those of cluster-random need none. */
+/** Tests actions by cameras of mate-4v8-9, which take time to turn, and of cluster-random. */
 class ActionsTest {
   private static Played played(String scenario, ActionKind kind) {
     return new Played(Played.settings(scenario, "coverage", kind, 100_000, true), 1, 1, 4);
@@ -31,7 +31,7 @@ class ActionsTest {
   @Test
   void movingCameraMayOnlyContinue() {
     try (Played played = played("mate-4v8-9", ActionKind.VIEW)) {
-      int onTheWay = 0;
+      int stepsOnTheWay = 0;
       for (int step = 0; step < 500; step++) {
         NetworkView network = played.worlds().network(0);
         boolean moving = network.moving(1);
@@ -47,10 +47,10 @@ class ActionsTest {
         played.step(4);
         if (moving) {
           assertEquals(goal, played.worlds().network(0).view(1));
-          onTheWay++;
+          stepsOnTheWay++;
         }
       }
-      assertTrue(onTheWay > 50, onTheWay + " of 500 steps on the way");
+      assertTrue(stepsOnTheWay > 50, stepsOnTheWay + " of 500 steps on the way");
     }
   }
 
@@ -93,15 +93,15 @@ class ActionsTest {
   @Test
   void ratesSteerMovingCameraAndNeedNoMask() {
     try (Played played = played("mate-4v8-9", ActionKind.RATES)) {
-      int onTheWay = 0;
+      int stepsOnTheWay = 0;
       for (int step = 0; step < 30; step++) {
         NetworkView network = played.worlds().network(0);
         int goal = network.view(0);
         boolean moving = network.moving(0);
         rates(played, 1, 1000, -1000);
-        onTheWay += moving && network.view(0) != goal ? 1 : 0;
+        stepsOnTheWay += moving && network.view(0) != goal ? 1 : 0;
       }
-      assertTrue(onTheWay > 5, onTheWay + " changed on their way");
+      assertTrue(stepsOnTheWay > 5, stepsOnTheWay + " changed on their way");
       assertEquals(2 * played.worlds().network(0).cameras(), played.bytes("masks", 0).length);
     }
   }
@@ -131,7 +131,7 @@ class ActionsTest {
   }
 
   @Test
-  void rejectsUnknownViewOfOfflineCamera() {
+  void offlineCameraMayGetAnyOfItsViews() {
     try (Played played = played("car-park", ActionKind.VIEW)) {
       for (int step = 0; step < 205; step++) {
         played.step(4);
@@ -140,8 +140,9 @@ class ActionsTest {
       assertFalse(network.online(3), "shop-east fails in step 200");
       byte[] masks = played.bytes("masks", 0);
       int width = masks.length / network.cameras();
-      byte[] own = Arrays.copyOfRange(masks, 3 * width, 4 * width);
-      assertEquals(network.views(3), IntStream.range(0, width).filter(i -> own[i] == 1).count());
+      byte[] cameraMask = Arrays.copyOfRange(masks, 3 * width, 4 * width);
+      assertEquals(
+          network.views(3), IntStream.range(0, width).filter(i -> cameraMask[i] == 1).count());
     }
   }
 

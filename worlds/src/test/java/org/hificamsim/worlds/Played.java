@@ -49,27 +49,27 @@ final class Played implements AutoCloseable {
     return worlds;
   }
 
-  /** One step of actions that are drawn by the seed of each world. */
+  /** Runs a step with random actions that are drawn by the seed of each world. */
   void step(long firstSeed) {
     ByteBuffer actions = part("actions");
-    int each = actions.capacity() / Integer.BYTES / count;
+    int perWorld = actions.capacity() / Integer.BYTES / count;
     int[] choices = worlds.choices().stream().mapToInt(choice -> choice).toArray();
     for (int i = 0; i < count; i++) {
       SplittableRandom random = new SplittableRandom(31 * (firstSeed + i) + step);
-      for (int at = 0; at < each; at++) {
-        int action = random.nextInt(choices[at % choices.length]);
-        actions.putInt((i * each + at) * Integer.BYTES, action);
+      for (int number = 0; number < perWorld; number++) {
+        int action = random.nextInt(choices[number % choices.length]);
+        actions.putInt((i * perWorld + number) * Integer.BYTES, action);
       }
     }
     worlds.step();
     step++;
   }
 
-  /** The same action for every camera in every world. */
+  /** Runs a step with the same action for every camera in every world. */
   void stepAll(int... action) {
     ByteBuffer actions = part("actions");
-    for (int at = 0; at < actions.capacity() / Integer.BYTES; at++) {
-      actions.putInt(at * Integer.BYTES, action[at % action.length]);
+    for (int number = 0; number < actions.capacity() / Integer.BYTES; number++) {
+      actions.putInt(number * Integer.BYTES, action[number % action.length]);
     }
     worlds.step();
   }
@@ -78,12 +78,12 @@ final class Played implements AutoCloseable {
     return worlds.block().slice(worlds.memory(), name);
   }
 
-  /** What one world has in a section. */
+  /** Returns the part of a section that belongs to a world. */
   byte[] bytes(String name, int world) {
-    ByteBuffer all = part(name);
-    byte[] one = new byte[all.capacity() / count];
-    all.get(world * one.length, one);
-    return one;
+    ByteBuffer section = part(name);
+    byte[] part = new byte[section.capacity() / count];
+    section.get(world * part.length, part);
+    return part;
   }
 
   float[] floats(String name, int world) {
@@ -93,7 +93,7 @@ final class Played implements AutoCloseable {
     return numbers;
   }
 
-  /** A number for all that one world has. */
+  /** Hashes everything that a world has written. */
   int hash(int world) {
     int hash = 0;
     for (Block.Section section : worlds.block().sections()) {

@@ -37,34 +37,34 @@ class RewardsTest {
     }
   }
 
-  /** A target that k cameras detect is lost by none but the last. */
+  /** A target is lost without a camera only if no other camera detects it. */
   @Test
   void differenceIsLossOfCoverageWithoutCamera() {
     try (Played played = played("difference")) {
       double paid = 0;
-      double alone = 0;
+      double sumDetectedOnce = 0;
       for (int step = 0; step < STEPS; step++) {
         played.step(4);
         float[] rewards = played.floats("rewards", 0);
         NetworkView network = played.worlds().network(0);
-        double once = 0;
+        double detectedOnce = 0;
         for (int target = 0; target < network.targets(); target++) {
-          once += network.coverage(target) == 1 ? 1.0 / network.targets() : 0;
+          detectedOnce += network.coverage(target) == 1 ? 1.0 / network.targets() : 0;
         }
         double sum = 0;
         for (float reward : rewards) {
           sum += reward;
         }
-        assertEquals(once, sum, 1e-5);
+        assertEquals(detectedOnce, sum, 1e-5);
         paid += sum;
-        alone += once;
+        sumDetectedOnce += detectedOnce;
       }
-      assertEquals(alone, paid, 1e-3);
+      assertEquals(sumDetectedOnce, paid, 1e-3);
       assertTrue(paid > 0);
     }
   }
 
-  /** The changes of a count sum up to the count. */
+  /** The changes of the count of detected targets add up to the count. */
   @Test
   void thesisRewardsChangeOfCount() {
     try (Played played = played("thesis")) {

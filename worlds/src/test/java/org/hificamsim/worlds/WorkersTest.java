@@ -61,7 +61,7 @@ class WorkersTest {
   @Test
   void failedShareThrowsInCallerAndNextRoundRuns() {
     try (Workers workers = Workers.of(2)) {
-      IllegalStateException told =
+      IllegalStateException thrown =
           assertThrows(
               IllegalStateException.class,
               () ->
@@ -71,7 +71,7 @@ class WorkersTest {
                           throw new IllegalStateException("worker 1");
                         }
                       }));
-      assertEquals("worker 1", told.getMessage());
+      assertEquals("worker 1", thrown.getMessage());
       int[] done = new int[2];
       workers.run(worker -> done[worker] = 1);
       assertArrayEquals(new int[] {1, 1}, done);
@@ -89,7 +89,7 @@ class WorkersTest {
   }
 
   @Test
-  void callerIsTheOnlyWorkerOfOne() {
+  void singleWorkerIsThreadOfCaller() {
     assertSame(Workers.CALLER, Workers.of(1));
     Thread[] ran = new Thread[1];
     Workers.CALLER.run(worker -> ran[worker] = Thread.currentThread());

@@ -26,7 +26,7 @@ class WorldsTest {
     return Played.settings(scenario, "coverage", ActionKind.VIEW, steps, true);
   }
 
-  /** Campus has lenses, walls, targets that come and go, and a camera that fails. */
+  /** The campus has lenses, walls, targets that come and go, and a camera that fails. */
   @ParameterizedTest
   @ValueSource(strings = {"cluster-random", "campus", "mate-4v8-9"})
   void worldDependsOnSeedAndActionsOnly(String scenario) {
@@ -36,12 +36,13 @@ class WorldsTest {
         many.step(7);
         hashes.add(List.of(many.hash(0), many.hash(1), many.hash(4)));
       }
-      int[] those = {0, 1, 4};
-      for (int i = 0; i < those.length; i++) {
-        try (Played one = new Played(settings(scenario, 50), 1, 1, 7 + those[i])) {
+      int[] numbers = {0, 1, 4};
+      for (int i = 0; i < numbers.length; i++) {
+        try (Played one = new Played(settings(scenario, 50), 1, 1, 7 + numbers[i])) {
           for (int step = 0; step < STEPS; step++) {
-            one.step(7 + those[i]);
-            assertEquals(hashes.get(step).get(i), one.hash(0), "world " + those[i] + " at " + step);
+            one.step(7 + numbers[i]);
+            assertEquals(
+                hashes.get(step).get(i), one.hash(0), "world " + numbers[i] + " at " + step);
           }
         }
       }
@@ -87,7 +88,7 @@ class WorldsTest {
     return all;
   }
 
-  /** A policy's run, played again by its views, is the run of the command line. */
+  /** The run of a policy is played again by its recorded views. */
   @ParameterizedTest
   @ValueSource(strings = {"cluster-random", "campus"})
   void firstEpisodeEqualsRunOfItsSeed(String scenario) {
@@ -95,7 +96,7 @@ class WorldsTest {
     List<int[]> views = new ArrayList<>();
     List<Integer> kMin = new ArrayList<>();
     RunCoverage coverage = new RunCoverage();
-    StepListener noting =
+    StepListener recorder =
         (network, measured) -> {
           int[] now = new int[network.cameras()];
           Arrays.setAll(now, network::view);
@@ -107,7 +108,7 @@ class WorldsTest {
             settings.detection(),
             Played.CATALOGUE.policies().create("random"),
             5,
-            List.of(noting, coverage))
+            List.of(recorder, coverage))
         .run(STEPS);
     try (Played played = new Played(settings, 1, 1, 5)) {
       double uncovered = 0;
@@ -180,7 +181,7 @@ class WorldsTest {
   }
 
   @Test
-  void stateHoldsEverything() {
+  void stateHasTimeCamerasAndTargets() {
     try (Played played = new Played(settings("cluster-random", 10), 1, 1, 1)) {
       played.stepAll(4);
       played.worlds().writeStates();

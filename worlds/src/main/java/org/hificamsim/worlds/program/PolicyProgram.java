@@ -14,11 +14,11 @@ import org.hificamsim.core.program.LimitedProgram;
 import org.hificamsim.core.program.PythonInterpreter;
 import org.hificamsim.core.program.Sandbox;
 
-/** A running program of Python that decides for cameras. */
+/** A running Python program that decides for cameras. */
 final class PolicyProgram implements AutoCloseable {
   private static final String SCRIPT = "decide.py";
   private static final String COPY = "policy.py";
-  private static final String LIMITED = "out of its processor time or memory, expected less";
+  private static final String LIMIT_EXCEEDED = "out of its processor time or memory, expected less";
 
   private final Path file;
   private final LimitedProgram program;
@@ -26,7 +26,7 @@ final class PolicyProgram implements AutoCloseable {
   /**
    * Starts the program in a folder of its own, with a copy of the file.
    *
-   * @param header a line that says how much it reads and writes
+   * @param header a line with the sizes of the arrays that the program reads and writes
    */
   PolicyProgram(Path file, String header, Sandbox sandbox) {
     this.file = file;
@@ -50,26 +50,26 @@ final class PolicyProgram implements AutoCloseable {
     }
   }
 
-  /** Its interpreter, and what lies beside the file, such as weights. */
+  /** The paths that the program may read: its interpreter, and the folder of the file. */
   private List<Path> readable(PythonInterpreter python) {
     List<Path> readable = new ArrayList<>(python.folders());
     readable.add(file.toAbsolutePath().getParent());
     return readable;
   }
 
-  /** Sends what cameras know, and receives their actions. */
+  /** Sends the observations and masks of cameras, and receives their actions. */
   void decide(float[] observations, byte[] masks, int[] actions) {
-    ByteBuffer told =
+    ByteBuffer request =
         ByteBuffer.allocate(Float.BYTES * observations.length + masks.length)
             .order(ByteOrder.LITTLE_ENDIAN);
-    told.asFloatBuffer().put(observations);
-    told.position(Float.BYTES * observations.length).put(masks);
+    request.asFloatBuffer().put(observations);
+    request.position(Float.BYTES * observations.length).put(masks);
     byte[] answer = new byte[Integer.BYTES * actions.length];
     try {
-      send(told.array());
+      send(request.array());
       program.in().readFully(answer);
     } catch (IOException e) {
-      throw new InputException(file + " ended: " + program.reason(LIMITED), e);
+      throw new InputException(file + " ended: " + program.reason(LIMIT_EXCEEDED), e);
     }
     ByteBuffer.wrap(answer).order(ByteOrder.LITTLE_ENDIAN).asIntBuffer().get(actions);
   }

@@ -19,8 +19,8 @@ import org.hificamsim.worlds.ObservedPlay;
 /**
  * A policy in a Python file, {@code python:FILE}. The file has a {@code policy}, a function of
  * observations, float32 (cameras, numbers), and masks, uint8 (cameras, choices), that returns an
- * action for each camera; a method {@code begin} comes before each episode. It runs in a process of
- * its own, one for each episode, that gets nothing else ({@link Sandbox}).
+ * action for each camera; its method {@code begin}, if it has one, is called before each episode.
+ * Each episode runs in a process of its own, which gets nothing else ({@link Sandbox}).
  */
 public final class PythonPolicy implements ZoomPolicy, Closeable {
   private static final int MAX_OBSERVED = 1_000;
