@@ -15,15 +15,16 @@ import jdk.internal.org.objectweb.asm.ClassWriter;
 import jdk.internal.org.objectweb.asm.Opcodes;
 
 /**
- * Rewrites the class files of a jar from Java 5's format to Java 8's: JDK 17's archives of classes
- * hold no older ones. The code stays the same. Needs JDK 17's own copy of ASM:
+ * Rewrites the class files of a jar from the format of Java 5 to that of Java 8, because the class
+ * archives of JDK 17 cannot contain older ones. The code stays the same. Needs the copy of ASM in
+ * JDK 17:
  *
  * <pre>
  * java --add-exports java.base/jdk.internal.org.objectweb.asm=ALL-UNNAMED NewerClasses.java JAR
  * </pre>
  */
 final class NewerClasses {
-  private static final int MAJOR_VERSION = 7; // the byte of a class file that has it
+  private static final int OFFSET_OF_MAJOR_VERSION = 7;
 
   private NewerClasses() {}
 
@@ -41,7 +42,8 @@ final class NewerClasses {
         ZipOutputStream out = new ZipOutputStream(file)) {
       for (ZipEntry entry : Collections.list(in.entries())) {
         byte[] content = in.getInputStream(entry).readAllBytes();
-        boolean isOld = entry.getName().endsWith(".class") && content[MAJOR_VERSION] < Opcodes.V1_6;
+        boolean isOld =
+            entry.getName().endsWith(".class") && content[OFFSET_OF_MAJOR_VERSION] < Opcodes.V1_6;
         ZipEntry copy = new ZipEntry(entry.getName());
         copy.setTime(entry.getTime());
         out.putNextEntry(copy);

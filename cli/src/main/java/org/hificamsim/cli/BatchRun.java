@@ -37,14 +37,14 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
- * Executes the runs of a command that has many, with progress, a manifest, the page and a summary;
- * and has the options of all such commands.
+ * Executes the runs of a command that has many, with progress, a manifest, the page and a summary.
+ * Has the options that all such commands share.
  */
 final class BatchRun {
-  /** Writes the files that only one command has. */
+  /** Writes the files that only the present command has. */
   @FunctionalInterface
   interface Files {
-    /** Adds them to a folder's files, and returns what prints their summary. */
+    /** Adds the files to those of a folder, and returns a printer of their summary. */
     Consumer<PrintWriter> write(OutputFolder folder, List<CaseResult> results) throws IOException;
   }
 
@@ -52,9 +52,9 @@ final class BatchRun {
   @FunctionalInterface
   interface Work {
     /**
-     * Adds the files to a folder's files, and returns what prints their summary.
+     * Adds the files to those of a folder, and returns a printer of their summary.
      *
-     * @param engine which keeps finished runs for {@code --resume}
+     * @param engine the engine, which keeps finished runs for {@code --resume}
      */
     Consumer<PrintWriter> write(OutputFolder folder, RunEngine engine) throws IOException;
   }
@@ -62,13 +62,13 @@ final class BatchRun {
   /**
    * The runs of a command.
    *
-   * @param plans of which a shard computes a part
+   * @param plans the plans, of which a shard computes a part
    * @param inputs plans with each scenario and detection, for the files about the inputs
-   * @param steps of all runs, at most
+   * @param steps the most steps of all runs together
    * @param hasPage whether a page is made of the results
    */
   record Runs(List<RunPlan> plans, List<RunPlan> inputs, long steps, boolean hasPage) {
-    /** The number of runs: more than the plans have if a search adds some. */
+    /** The number of runs, which is greater than that of the plans if a search adds some. */
     long count() {
       int longest = plans.stream().mapToInt(RunPlan::steps).max().orElse(1);
       return Math.max(plans.stream().mapToLong(RunPlan::repeats).sum(), steps / longest);
@@ -122,7 +122,7 @@ final class BatchRun {
    * @throws InputException when a plan cannot start; nothing is written then
    */
   int execute(
-      Screen on,
+      Screen newScreen,
       Catalogue catalogue,
       ReferencePolicies references,
       List<RunPlan> plans,
@@ -137,7 +137,7 @@ final class BatchRun {
           results.forEach(this::warnOfUnproven);
           return files.write(folder, results);
         };
-    return execute(on, catalogue, new Runs(all, all, steps, true), work);
+    return execute(newScreen, catalogue, new Runs(all, all, steps, true), work);
   }
 
   /**
@@ -147,30 +147,30 @@ final class BatchRun {
    * @throws InputException when a plan cannot start, the engine is unknown or cannot work, or
    *     shards are missing; nothing is written then
    */
-  int execute(Screen on, Catalogue catalogue, Runs runs, Work work) throws IOException {
-    screen = on;
+  int execute(Screen newScreen, Catalogue catalogue, Runs runs, Work work) throws IOException {
+    screen = newScreen;
     List<RunPlan> plans = runs.plans();
     plans.forEach(new RunExecutor(catalogue)::check);
     if (shard.isPresent() && merge != null) {
       throw new InputException("--shard and --merge are given, expected one of them");
     }
     Optional<Shard> part = shard.map(Shard::parse);
-    RunEngine computing = RunEngine.registry().create(engine);
+    RunEngine runEngine = RunEngine.registry().create(engine);
     if (merge == null) {
-      computing.configure(new EngineSettings(catalogue, threads(), master));
+      runEngine.configure(new EngineSettings(catalogue, threads(), master));
     } else {
-      computing = new MergedShards(merge, plans);
+      runEngine = new MergedShards(merge, plans);
     }
     if (part.isPresent()) {
-      compute(part.get(), computing, plans);
+      compute(part.get(), runEngine, plans);
     } else {
-      computeAll(computing, runs, work).accept(screen.out());
+      computeAll(runEngine, runs, work).accept(screen.out());
     }
     screen.out().println("files: " + out);
     return 0;
   }
 
-  private Consumer<PrintWriter> computeAll(RunEngine computing, Runs runs, Work work)
+  private Consumer<PrintWriter> computeAll(RunEngine runEngine, Runs runs, Work work)
       throws IOException {
     try (OutputFolder folder = screen.folder(out);
         Journal journal = Journal.open(folder, Journal.COMPARISON_FILE, resume)) {
@@ -187,7 +187,7 @@ final class BatchRun {
       warnOfDamage(journal);
       Consumer<PrintWriter> summary;
       try (Progress progress = progress(runs.count())) {
-        summary = work.write(folder, new JournalledEngine(computing, journal, progress));
+        summary = work.write(folder, new JournalledEngine(runEngine, journal, progress));
       }
       InputFiles.write(folder, runs.inputs());
       writeManifest(folder, runs.steps());
@@ -198,19 +198,19 @@ final class BatchRun {
       }
       CrateFile.write(folder, runs.inputs());
       ResultFolder.commit(folder, List.of());
-      journal.finish(); // not earlier, so that --resume finds all runs after a failure
+      journal.finish(); // last, so that --resume finds all runs after a failure
       return summary;
     }
   }
 
-  private void compute(Shard part, RunEngine computing, List<RunPlan> plans) throws IOException {
+  private void compute(Shard part, RunEngine runEngine, List<RunPlan> plans) throws IOException {
     List<RunTask> tasks = part.tasks(plans);
     try (OutputFolder folder = screen.folder(out);
         Journal journal = Journal.ofShard(folder, resume);
         Progress progress = progress(tasks.size())) {
       folder.claim(List.of(ResultFolder.MANIFEST));
       warnOfDamage(journal);
-      new JournalledEngine(computing, journal, progress).run(plans, tasks, (task, run) -> {});
+      new JournalledEngine(runEngine, journal, progress).run(plans, tasks, (task, run) -> {});
       writeManifest(folder, tasks.stream().mapToLong(task -> plans.get(task.plan()).steps()).sum());
       folder.commit(List.of());
     }

@@ -39,7 +39,7 @@ final class BenchmarkCommand {
   private static final String FOLDERS = "Folders of 'benchmark run'.";
   private static final String ARENA = "mate-4v8-9";
 
-  /** The simulators whose recorded episodes can be read. */
+  /** The formats of recorded episodes that can be read. */
   enum Format {
     MATE
   }
@@ -55,19 +55,19 @@ final class BenchmarkCommand {
       @Mixin Screen screen)
       throws IOException {
     Benchmark benchmark = ShippedScenarios.tasks();
-    List<String> asked = tasks.map(text -> names(text, benchmark)).orElseGet(benchmark::names);
-    int episodes = asked.size() * BenchmarkTask.TESTING.size();
+    List<String> taskNames = tasks.map(text -> names(text, benchmark)).orElseGet(benchmark::names);
+    int episodes = taskNames.size() * BenchmarkTask.TESTING.size();
     try (OutputFolder folder = screen.folder(out);
         Progress progress = screen.progress("", " episodes", episodes)) {
       BenchmarkEntry entry =
           BenchmarkEntry.play(
               benchmark,
-              new BenchmarkEntry.Application(name.orElse(policy), policy, asked),
+              new BenchmarkEntry.Application(name.orElse(policy), policy, taskNames),
               threads.count(),
               progress,
               folder);
       folder.commit(List.of());
-      for (String task : asked) {
+      for (String task : taskNames) {
         screen.say("%-14s %s", task, Estimate.mean(entry.normalized(benchmark, task)).text("%.3f"));
       }
     }
@@ -215,9 +215,9 @@ final class BenchmarkCommand {
         .info()
         .totalCpuDuration()
         .ifPresent(
-            took ->
+            duration ->
                 screen.note(
-                    "%.0f steps a second of processor time", 1e3 * steps / took.toMillis()));
+                    "%.0f steps a second of processor time", 1e3 * steps / duration.toMillis()));
   }
 
   private static String mean(MateArena[] played, ToDoubleFunction<MateArena> figure, String form) {

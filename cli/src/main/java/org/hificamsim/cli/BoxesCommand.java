@@ -37,7 +37,7 @@ import picocli.CommandLine.Spec;
           + " but says what the model expects of the recordings."
     })
 final class BoxesCommand implements Callable<Integer> {
-  private static final Path USUAL_FOLDER = Path.of("out/boxes");
+  private static final Path DEFAULT_FOLDER = Path.of("out/boxes");
   private static final String NAME = "[A-Za-z0-9][A-Za-z0-9:._-]{0,99}";
 
   @Parameters(
@@ -74,12 +74,12 @@ final class BoxesCommand implements Callable<Integer> {
     Ranges.within("--overlap", overlap, Double.MIN_NORMAL, 1);
     Ranges.within("--score", score, 0, 1);
     requireName();
-    Optional<BoxDetection> given = model.map(BoxesCommand::read);
+    Optional<BoxDetection> givenModel = model.map(BoxesCommand::read);
     MeasuredBoxes measured = MeasuredBoxes.of(recordings(), overlap);
-    if (given.isPresent()) {
-      printCheck(given.get(), measured);
+    if (givenModel.isPresent()) {
+      printCheck(givenModel.get(), measured);
       if (out.isPresent()) {
-        write(out.get(), measured, given, Optional.empty());
+        write(out.get(), measured, givenModel, Optional.empty());
       }
     } else {
       fit(measured);
@@ -116,7 +116,7 @@ final class BoxesCommand implements Callable<Integer> {
   }
 
   private void fit(MeasuredBoxes measured) throws IOException {
-    Path folder = out.orElse(USUAL_FOLDER);
+    Path folder = out.orElse(DEFAULT_FOLDER);
     BoxFit fit = BoxFit.of(measured);
     Optional<BoxDetection> fitted =
         fit.rejected() ? Optional.empty() : Optional.of(fit.detection(name));
@@ -173,8 +173,8 @@ final class BoxesCommand implements Callable<Integer> {
     return fit.curve().width().counts() ? ", w: width in pixels" : "";
   }
 
-  private void printCheck(BoxDetection given, MeasuredBoxes measured) {
-    Reliability check = ModelCheck.of(given.curve(), measured.boxes());
+  private void printCheck(BoxDetection givenModel, MeasuredBoxes measured) {
+    Reliability check = ModelCheck.of(givenModel.curve(), measured.boxes());
     terminal().println(Texts.format("measured %.3f", check.all().detected()));
     terminal().println(Texts.format("expected %.3f", check.all().expected()));
     terminal().println(Texts.format("log loss %.3f", check.logLoss()));

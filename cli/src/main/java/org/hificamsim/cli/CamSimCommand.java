@@ -31,7 +31,7 @@ import picocli.CommandLine.Parameters;
       "With --policy cameras use the zoom levels of the file, which CamSim ignores."
     })
 final class CamSimCommand implements Callable<Integer> {
-  /** CamSim's default. */
+  /** The default of CamSim. */
   private static final int DEFAULT_STEPS = 100;
 
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
@@ -107,7 +107,7 @@ final class CamSimCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     NetworkSettings network = options.settings(screen.err());
     CamSimPlans plans = plans(network, catalogue);
-    steps.ifPresent(asked -> Numbers.inRange("-t", asked, 0, Scenario.MAX_STEPS));
+    steps.ifPresent(number -> Numbers.inRange("-t", number, 0, Scenario.MAX_STEPS));
     Numbers.inRange("--repeat", repeat, 1, Integer.MAX_VALUE - Math.max(0, seed));
     List<RunPlan> bases = files.stream().map(plans::plan).toList();
     NameLists.requireDistinct(
@@ -144,21 +144,22 @@ final class CamSimCommand implements Callable<Integer> {
 
   private CamSimFiles.Places places(Path file, RunPlan plan) throws IOException {
     boolean hasSeveralRuns = files.size() > 1 || repeat > 1;
-    String ofScenario = hasSeveralRuns ? "-" + plan.scenario().name() : "";
-    String ofRun = hasSeveralRuns ? ofScenario + "-" + plan.seed() : "";
-    Path steps = withSuffix(output, ofRun);
+    String scenarioSuffix = hasSeveralRuns ? "-" + plan.scenario().name() : "";
+    String runSuffix = hasSeveralRuns ? scenarioSuffix + "-" + plan.seed() : "";
+    Path steps = withSuffix(output, runSuffix);
     Optional<Path> sums =
         hasSeveralRuns
             ? Optional.of(
-                withSuffix(summary.orElse(output.resolveSibling("summary.csv")), ofScenario))
+                withSuffix(summary.orElse(output.resolveSibling("summary.csv")), scenarioSuffix))
             : summary;
     destination.requireNoInput("-o", steps);
     destination.requireNoInput("-f", sums.orElse(steps));
-    Optional<Path> covered = coverage.map(path -> path.resolveSibling(path.getFileName() + ofRun));
+    Optional<Path> covered =
+        coverage.map(path -> path.resolveSibling(path.getFileName() + runSuffix));
     return new CamSimFiles.Places(file, steps, sums, covered);
   }
 
-  /** A path whose file name has a suffix before its ending. */
+  /** Adds a suffix to a path, before the ending of its file name. */
   private static Path withSuffix(Path path, String suffix) {
     String name = path.getFileName().toString();
     int dot = name.lastIndexOf('.') < 1 ? name.length() : name.lastIndexOf('.');

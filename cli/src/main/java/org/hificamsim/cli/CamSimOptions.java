@@ -106,7 +106,7 @@ final class CamSimOptions {
     return new InputException("%s is '%s', expected %s".formatted(option, text, expected));
   }
 
-  /** The setting of the option; as in CamSim, the scenario file decides if it is not a number. */
+  /** Reads option -c; as in CamSim, the scenario file decides if the value is not a number. */
   private Optional<CommunicationSetting> comm(PrintWriter err) {
     if (comm.isEmpty()) {
       return Optional.empty();

@@ -15,22 +15,23 @@ import org.hificamsim.runs.Settings;
 /**
  * Makes plans of CamSim's runs from files and options.
  *
+ * @param settings the settings that the user asks for
  * @param movement the name of the movement's class for all objects, if given
  */
 record CamSimPlans(
-    Settings asked,
+    Settings settings,
     Optional<String> movement,
     NetworkSettings network,
     Catalogue catalogue,
     PrintWriter err) {
-  /** The plan for a scenario file. */
+  /** Makes the plan of a scenario file. */
   RunPlan plan(Path file) {
-    boolean zooms = asked.asked(Setting.POLICY).isPresent();
+    boolean usesZooms = settings.asked(Setting.POLICY).isPresent();
     Scenario scenario =
-        asked.scenario(
-            CamSimScenario.read(file, movement.orElse(null), zooms, network, catalogue, err));
-    return asked
-        .plan(scenario, DetectionSpec.of(asked, scenario, file, catalogue))
-        .withPolicy(asked.asked(Setting.POLICY).orElse("zoom-out"));
+        settings.scenario(
+            CamSimScenario.read(file, movement.orElse(null), usesZooms, network, catalogue, err));
+    return settings
+        .plan(scenario, DetectionSpec.of(settings, scenario, file, catalogue))
+        .withPolicy(settings.asked(Setting.POLICY).orElse("zoom-out"));
   }
 }

@@ -7,8 +7,8 @@ import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 
 /**
- * The commands of {@code hificamsim}. A call that begins with the name of a command gets this
- * command alone: reading the options of all others would take a quarter of the time of a short
+ * The commands of {@code hificamsim}. A call that begins with the name of a command loads this
+ * command alone, since reading the options of all others takes a quarter of the time of a short
  * command.
  */
 final class Commands {
@@ -35,36 +35,36 @@ final class Commands {
           GenerateCompletion.class);
 
   /** Commands about the other commands, which need all of them. */
-  private static final List<Class<?>> ABOUT_ALL =
+  private static final List<Class<?>> NEED_ALL =
       List.of(HelpCommand.class, GenerateCompletion.class);
 
   private Commands() {}
 
   /** The command line for a call. */
   static CommandLine line(String... args) {
-    return args.length == 0 ? all() : with(neededFor(args[0]));
+    return args.length == 0 ? all() : lineOf(neededFor(args[0]));
   }
 
   /** The command line with all commands. */
   static CommandLine all() {
-    return with(ALL);
+    return lineOf(ALL);
   }
 
   private static List<Class<?>> neededFor(String name) {
     return ALL.stream()
-        .filter(command -> !ABOUT_ALL.contains(command))
+        .filter(command -> !NEED_ALL.contains(command))
         .filter(command -> nameOf(command).equals(name))
         .findAny()
         .<List<Class<?>>>map(List::of)
         .orElse(ALL);
   }
 
-  /** The name of a command by that of its class: reading annotations takes a tenth of a start. */
+  /** The name of a command, from its class's name: annotations take a tenth of a start to read. */
   static String nameOf(Class<?> command) {
     return command.getSimpleName().replaceFirst("Command$", "").toLowerCase(Locale.ROOT);
   }
 
-  private static CommandLine with(List<Class<?>> commands) {
+  private static CommandLine lineOf(List<Class<?>> commands) {
     CommandLine line = new CommandLine(new Main());
     commands.forEach(line::addSubcommand);
     return line;

@@ -38,12 +38,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code hificamsim compare}: runs scenarios x detection models x policies x seeds. */
+/** {@code hificamsim compare}: runs all combinations of scenarios, detections, policies, seeds. */
 @Command(
     name = "compare",
     description = "Compares policies and detection models over scenarios and seeds.")
 final class CompareCommand implements Callable<Integer> {
-  private static final Duration LONG = Duration.ofMinutes(2);
+  private static final Duration LEAST_FORECAST = Duration.ofMinutes(2);
 
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
@@ -92,7 +92,7 @@ final class CompareCommand implements Callable<Integer> {
     if (batch.computesHere()) {
       new OptimumTime(catalogue, batch.threads())
           .forecast(plans, references)
-          .filter(forecast -> forecast.total().compareTo(LONG) > 0)
+          .filter(forecast -> forecast.total().compareTo(LEAST_FORECAST) > 0)
           .ifPresent(forecast -> screen.err().println(sentence(forecast)));
     }
     return batch.execute(
@@ -101,19 +101,19 @@ final class CompareCommand implements Callable<Integer> {
         references,
         plans,
         (folder, results) -> {
-          List<CaseResult> asked = results.subList(0, plans.size());
-          ComparisonFiles.write(folder, asked, results);
-          Choice.write(folder, asked);
-          style.write(folder, List.copyOf(Cases.byPolicy(asked).keySet()));
+          List<CaseResult> requested = results.subList(0, plans.size());
+          ComparisonFiles.write(folder, requested, results);
+          Choice.write(folder, requested);
+          style.write(folder, List.copyOf(Cases.byPolicy(requested).keySet()));
           ComparisonFigures.write(folder, results, width, style, batch.threads());
-          AggregateFiles.write(folder, asked, compared, batch.threads());
+          AggregateFiles.write(folder, requested, compared, batch.threads());
           if (latex) {
-            SummaryTables.writeLatex(folder, asked, results);
+            SummaryTables.writeLatex(folder, requested, results);
           }
           return out -> {
             print(out, results);
-            AggregateFiles.tooFewSeeds(asked, compared).ifPresent(out::println);
-            asked.stream()
+            AggregateFiles.tooFewSeeds(requested, compared).ifPresent(out::println);
+            requested.stream()
                 .map(result -> result.plan().policy())
                 .distinct()
                 .filter(catalogue::isBound)
@@ -152,7 +152,7 @@ final class CompareCommand implements Callable<Integer> {
     return plans;
   }
 
-  /** A plan for each detection: the ones asked for, else the scenario's, else the defaults. */
+  /** Makes a plan for each listed detection, or for the scenario's, or for the default ones. */
   private List<RunPlan> plans(
       Settings asked,
       Scenario scenario,
@@ -165,11 +165,11 @@ final class CompareCommand implements Callable<Integer> {
     }
     List<RunPlan> plans = new ArrayList<>();
     for (DetectionSpec spec : specs) {
-      Settings own =
+      Settings withSpec =
           isListed
               ? asked.with(Setting.DETECTION, spec.text())
               : asked.orElse(Setting.DETECTION, spec.text());
-      plans.add(own.plan(scenario, spec.detection(own, scenario)));
+      plans.add(withSpec.plan(scenario, spec.detection(withSpec, scenario)));
     }
     NameLists.requireDistinct(
         "--detections", plans.stream().map(plan -> plan.detection().name()).toList());
@@ -182,13 +182,13 @@ final class CompareCommand implements Callable<Integer> {
     if (cases.stream().allMatch(result -> result.mean(Metric.SCORE).mean() == 0)) {
       printCoverage(out, cases);
     }
-    SummaryTables.atLeast(cases).forEach(out::println);
+    SummaryTables.sharesOfBound(cases).forEach(out::println);
     if (details) {
       printDetails(out, cases);
     }
   }
 
-  /** Prints what each detection chooses, and all scenarios together. */
+  /** Prints the policies that detections choose, and the aggregates over all scenarios. */
   private static void printDetails(PrintWriter out, List<CaseResult> cases) {
     List<Choice> choices = Choice.of(cases);
     if (!choices.isEmpty()) {

@@ -15,7 +15,7 @@ import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.cells.FieldCells;
 import picocli.CommandLine.Option;
 
-/** Options of {@code place}: what is to be covered, and when a camera covers it. */
+/** The options of {@code place} for the points to be covered, and for when a camera covers one. */
 final class DemandOptions {
   @Option(names = "--reading", paramLabel = "fixed|any")
   private String reading;
@@ -29,23 +29,23 @@ final class DemandOptions {
   @Option(names = "--cells", paramLabel = "N")
   private Optional<Integer> cells;
 
-  /** Where the weights of a site's cells come from. */
+  /** The source of the weights of a site's cells. */
   private enum DemandSource {
     ZONES,
     TRACKS
   }
 
-  /** When a camera covers a place. */
+  /** The reading of the zones' demands, which says when a camera covers a point. */
   CoverageReading reading() {
     return Spelling.require(CoverageReading.class, "--reading", reading);
   }
 
   /**
-   * The demand of a site.
+   * Returns the demand of a site.
    *
    * @param usual the detection of zones that name none
    */
-  Demand of(Scenario site, Detection usual, Catalogue catalogue) {
+  Demand demand(Scenario site, Detection usual, Catalogue catalogue) {
     redundancy.ifPresent(k -> Numbers.inRange("--redundancy", k, 1, 100));
     boolean byTracks =
         Spelling.require(DemandSource.class, "--demand", demand) == DemandSource.TRACKS;

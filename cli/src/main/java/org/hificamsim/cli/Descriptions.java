@@ -11,7 +11,7 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 final class Descriptions {
   private Descriptions() {}
 
-  /** The contents of a scenario. */
+  /** Describes the contents of a scenario. */
   static String of(Scenario scenario) {
     return Texts.format(
         "%s, %s, %s, field %s x %s m, %s, %s order",
@@ -24,7 +24,7 @@ final class Descriptions {
         Spelling.of(scenario.order()));
   }
 
-  /** The targets; a recorded target counts once, however often it appears. */
+  /** Describes the targets. A recorded target counts once, however often it appears. */
   private static String targets(Scenario scenario) {
     List<TargetSpec> recorded =
         scenario
@@ -42,7 +42,7 @@ final class Descriptions {
         : scenario.targets().isEmpty() ? found : others + ", " + found;
   }
 
-  /** The optics and obstacles, or the zoom levels of a scenario without optics. */
+  /** Describes the optics and obstacles, or the zoom levels of a scenario without optics. */
   private static String views(Scenario scenario) {
     long optics =
         scenario.cameras().stream().flatMap(camera -> camera.optics().stream()).distinct().count();

@@ -20,8 +20,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /**
- * Checks where a command writes: never over its inputs, and over an existing file only with {@code
- * --force}.
+ * Protects files from being replaced: a command never writes over its inputs, and over an existing
+ * file only with {@code --force}.
  */
 final class Destination {
   /** The options that name outputs; paths of all other options are inputs. */
@@ -48,7 +48,7 @@ final class Destination {
   }
 
   /**
-   * A file to write.
+   * Returns a file to write.
    *
    * @throws InputException when the file is an input, or exists and there is no {@code --force}
    */
@@ -57,13 +57,13 @@ final class Destination {
     return OutputFile.of(option, path, force);
   }
 
-  /** A file to write, in a folder that is made if it is missing. */
+  /** Returns a file to write, in a folder that is made if it is missing. */
   OutputFile inFolder(String option, Path path) throws IOException {
     requireNoInput(option, path);
     return OutputFile.inFolder(option, path, force);
   }
 
-  /** A folder to write into, in which the inputs of the command are protected. */
+  /** Returns a folder to write into, in which the inputs of the command are protected. */
   static OutputFolder folder(CommandSpec command, Path path) {
     OutputFolder folder = new OutputFolder(path);
     folder.keep(inputs(command).filter(Files::isRegularFile).toList());
@@ -96,7 +96,7 @@ final class Destination {
         && FileRecord.of(folder).names().contains(folder.relativize(file).toString());
   }
 
-  /** The existing files and folders that a word of the command, or a part of a word, names. */
+  /** The existing files and folders that words of the command, or parts of words, name. */
   private static Stream<Path> inputs(CommandSpec command) {
     return command.commandLine().getParseResult().matchedArgs().stream()
         .filter(Destination::isInput)

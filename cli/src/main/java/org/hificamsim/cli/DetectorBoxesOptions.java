@@ -18,7 +18,7 @@ import org.hificamsim.profiling.fit.Reliability;
 import org.hificamsim.runs.Settings;
 import picocli.CommandLine.Option;
 
-/** Checks detections by what a detector found in the recording of a calibrated camera. */
+/** Checks detections against the boxes of a detector in the recording of a calibrated camera. */
 final class DetectorBoxesOptions {
   @Option(names = "--boxes", paramLabel = "DET")
   private Optional<Path> boxes;
@@ -55,7 +55,7 @@ final class DetectorBoxesOptions {
             .toList();
   }
 
-  /** Prints how well each detection predicts what the detector found. */
+  /** Prints how well each detection predicts the boxes of the detector. */
   void print(PrintWriter terminal) {
     if (expected.isEmpty()) {
       return;

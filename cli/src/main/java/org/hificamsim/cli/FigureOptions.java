@@ -24,16 +24,16 @@ final class FigureOptions {
   @Option(names = "--label", paramLabel = "NAME=TEXT")
   private List<String> labels = List.of();
 
-  /** The width in print; empty for the size for screens. */
+  /** The width in print; empty for the size on screens. */
   Optional<PrintWidth> width() {
     return width.map(PrintWidth::parse);
   }
 
   /**
-   * The style of the pictures of some plans.
+   * Returns the style of the pictures of some plans.
    *
-   * @throws org.hificamsim.core.InputException if an option names nothing, or the file of a style
-   *     is wrong
+   * @throws org.hificamsim.core.InputException if an option names no policy or detection of the
+   *     plans, or the file of the style is malformed
    */
   FigureStyle style(List<RunPlan> plans) {
     Set<String> names = new TreeSet<>();

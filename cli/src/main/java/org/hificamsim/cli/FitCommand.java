@@ -40,7 +40,7 @@ import picocli.CommandLine.Spec;
 final class FitCommand implements Callable<Integer> {
   private static final String BEST = "best";
 
-  /** The cost of a node of a formula. */
+  /** The cost of each node of a formula. */
   private static final double PARSIMONY = 0.001;
 
   /** The least width of the column with the names of models, in characters. */

@@ -2,7 +2,7 @@ package org.hificamsim.cli;
 
 import org.hificamsim.core.NamedSetting;
 
-/** Settings as the command line takes them: {@code --figure-width 88mm} for figure_width. */
+/** Writes settings as the command line takes them: {@code --figure-width 88mm}. */
 enum Flags implements NamedSetting.Notation {
   NOTATION;
 

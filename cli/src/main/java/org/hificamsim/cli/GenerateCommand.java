@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
     name = "generate",
     description = "Generates a scenario with randomly placed cameras and targets.")
 final class GenerateCommand implements Callable<Integer> {
-  private static final int MAX_COUNT = 200_000; // of cameras, and of targets
+  private static final int MAX_CAMERAS_OR_TARGETS = 200_000;
   private static final int MAX_WALLS = 10_000;
   private static final double MAX_AREA = 1e9;
 
@@ -76,12 +76,12 @@ final class GenerateCommand implements Callable<Integer> {
   }
 
   private RandomField field() {
-    Numbers.inRange("--cameras", cameras, 1, MAX_COUNT);
+    Numbers.inRange("--cameras", cameras, 1, MAX_CAMERAS_OR_TARGETS);
     long seed = settings.settings().seed();
     RandomField defaults =
         lenses ? RandomSite.size(cameras, seed) : RandomField.ofCameras(cameras, seed);
     if (targets != null) {
-      Numbers.inRange("--targets", targets, 1, MAX_COUNT);
+      Numbers.inRange("--targets", targets, 1, MAX_CAMERAS_OR_TARGETS);
     }
     if (area != null && !(area > 0 && area <= MAX_AREA)) {
       throw InputException.of(

@@ -7,7 +7,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.check.Calibration.Size;
 import picocli.CommandLine.Option;
 
-/** The size of a recording's pictures. */
+/** The option for the size of a recording's pictures. */
 final class ImageSizeOption {
   private static final Pattern SIZE = Pattern.compile("([1-9]\\d{0,5})x([1-9]\\d{0,5})");
 

@@ -79,17 +79,17 @@ final class ImportCommand implements Callable<Integer> {
     SiteSettings siteSettings = settings(name, obstacles);
     TrackSettings settings = recording.settings();
     TracksImport tracks = new TracksImport(recordings, recording.homography(), projection);
-    StringBuilder text = new StringBuilder(); // written once nothing is wrong
+    StringBuilder text = new StringBuilder(); // written to a file after all checks
     ImportSummary summary = tracks.write(settings, new Obstacles(obstacles), text);
-    TrackedSite made = new TrackedSite(siteSettings, summary);
-    List<String> signs = Plausibility.of(summary, made).signs(forceReading);
+    TrackedSite trackedSite = new TrackedSite(siteSettings, summary);
+    List<String> warnings = Plausibility.of(summary, trackedSite).signs(forceReading);
     try (OutputFolder folder = Destination.folder(spec, out)) {
       folder.write(name + ".tracks", text.toString());
-      output.write(folder, made.xml(name + ".tracks"));
+      output.write(folder, trackedSite.xml(name + ".tracks"));
       folder.commit(List.of());
       print(name, recordings, summary, projection);
-      printSite(name, made, drawing.flatMap(Drawing::leftOut));
-      signs.forEach(output::warn);
+      printSite(name, trackedSite, drawing.flatMap(Drawing::leftOut));
+      warnings.forEach(output::warn);
     }
     return 0;
   }
@@ -104,8 +104,8 @@ final class ImportCommand implements Callable<Integer> {
   }
 
   /** The walls; empty if no file is given. */
-  private Optional<Drawing> drawing(Unit ofRecording, LocalProjection projection) {
-    Unit usual = ofRecording == Unit.PX ? Unit.M : ofRecording;
+  private Optional<Drawing> drawing(Unit recordingUnit, LocalProjection projection) {
+    Unit usual = recordingUnit == Unit.PX ? Unit.M : recordingUnit;
     return Optional.ofNullable(walls).map(drawn -> plan.read(drawn, usual, projection));
   }
 
@@ -132,17 +132,21 @@ final class ImportCommand implements Callable<Integer> {
             choice.line().ifPresent(line -> terminal.println("  " + SiteOutput.printable(line))));
     summary.lines().forEach(line -> terminal.println("  " + SiteOutput.printable(line)));
     terminal.println("  " + recording.sizeLine(summary));
-    PlanOptions.projected(projection).ifPresent(line -> terminal.println("  " + line));
+    PlanOptions.describeProjection(projection).ifPresent(line -> terminal.println("  " + line));
   }
 
-  private void printSite(String name, TrackedSite made, Optional<String> leftOut) {
+  private void printSite(String name, TrackedSite trackedSite, Optional<String> leftOut) {
     PrintWriter terminal = spec.commandLine().getOut();
-    Field field = made.field();
+    Field field = trackedSite.field();
     terminal.println(
         "  field: %s x %s m; step: %s s; walls and solids: %s"
-            .formatted(field.width(), field.height(), made.step(), made.obstacles().all().size()));
+            .formatted(
+                field.width(),
+                field.height(),
+                trackedSite.step(),
+                trackedSite.obstacles().all().size()));
     leftOut.ifPresent(line -> terminal.println("  " + Place.printable(line)));
-    terminal.println("  " + made.question());
+    terminal.println("  " + trackedSite.question());
     terminal.println("Move the cameras, a first draft, and save them:");
     terminal.println("  ./hificamsim view " + out.resolve(name + ".xml"));
   }

@@ -4,7 +4,7 @@ import java.lang.reflect.Proxy;
 import java.time.Duration;
 import java.time.Instant;
 
-/** Tells a search to end: after some time, or at the first Ctrl-C. A second ends the program. */
+/** Ends a search after some time, or at the first Ctrl-C. A second Ctrl-C ends the program. */
 final class Interrupt {
   private final Instant start;
   private final double seconds;
@@ -21,7 +21,7 @@ final class Interrupt {
     return isDue(1);
   }
 
-  /** Whether a part of the search is to end that has a share of the time. */
+  /** Whether a part of the search that has a share of the time is to end. */
   boolean isDue(double share) {
     return interrupted || passed() > share * seconds;
   }

@@ -93,7 +93,7 @@ final class LadderCommand implements Callable<Integer> {
         });
   }
 
-  /** Warns if a rung's detection does not suit a scenario, such as beyond the photos of its fit. */
+  /** Warns if the detection of a rung does not suit a scenario. */
   private void warnAbout(List<RunPlan> plans, Catalogue catalogue) {
     String first = plans.get(0).policy();
     plans.stream()
@@ -114,7 +114,7 @@ final class LadderCommand implements Callable<Integer> {
     List<Scenario> scenarios = scenarioOptions.read(files, asked, catalogue, screen.err());
     return new Ladder(
         scenarios,
-        rungsAsked(),
+        rungs(),
         specs,
         (rung, scenario) -> rung.detection(asked, scenario, catalogue::detection));
   }
@@ -124,28 +124,28 @@ final class LadderCommand implements Callable<Integer> {
         "--detect is '%s', expected none: a rung names its own, --rungs NAME@%s", rule, rule);
   }
 
-  private List<Rung> rungsAsked() {
+  private List<Rung> rungs() {
     Optional<List<String>> names =
         rungs.map(text -> Arrays.stream(text.split(",", -1)).map(String::strip).toList());
     return Spelling.require(LadderKind.class, "--of", kind) == LadderKind.WORLD
-        ? ofWorld(names)
-        : ofDetection(names);
+        ? worldRungs(names)
+        : detectionRungs(names);
   }
 
-  private List<Rung> ofWorld(Optional<List<String>> names) {
+  private List<Rung> worldRungs(Optional<List<String>> names) {
     return names
-        .map(asked -> asked.stream().map(name -> Rungs.ofWorld(detection, name)).toList())
+        .map(list -> list.stream().map(name -> Rungs.ofWorld(detection, name)).toList())
         .orElseGet(() -> Rungs.ofWorld(detection));
   }
 
-  private List<Rung> ofDetection(Optional<List<String>> names) {
+  private List<Rung> detectionRungs(Optional<List<String>> names) {
     detection.ifPresent(
         text -> {
           throw InputException.of(
               "--detection is '%s', expected none without --of world: --rungs names them", text);
         });
     return names
-        .map(asked -> asked.stream().map(Rungs::ofDetection).toList())
+        .map(list -> list.stream().map(Rungs::ofDetection).toList())
         .orElseGet(Rungs::ofDetection);
   }
 

@@ -21,7 +21,7 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim list}: lists everything that has a name. */
 @Command(name = "list", description = "Lists detection models, policies or scenarios.")
 final class ListCommand {
-  private static final String WHAT_THRESHOLDS_MEAN =
+  private static final String EXPLANATION_OF_THRESHOLDS =
       """
 g(p): the model's confidence of a target that f puts at the share p of the image.
 threshold: a target is detected where the confidence reaches it (--threshold, NAME@T). That of
@@ -44,13 +44,13 @@ See docs/detection.md.
     for (Registry.Entry<DetectionModel> entry : models.entries()) {
       line(entry.name(), entry.summary() + thresholds(models.create(entry.name())));
     }
-    out().printf("%n%s", WHAT_THRESHOLDS_MEAN);
+    out().printf("%n%s", EXPLANATION_OF_THRESHOLDS);
     out().flush();
   }
 
   /**
-   * The equation of a fitted model and its thresholds. The second, if there is one, is the
-   * confidence at which the model detects half of the time by chance.
+   * Describes the equation of a fitted model and its thresholds. The second threshold, if there is
+   * one, is the confidence at which the model detects half of the time by chance.
    */
   private static String thresholds(DetectionModel model) {
     String equation = model instanceof FittedDetection fitted ? "; " + fitted.equation() : "";

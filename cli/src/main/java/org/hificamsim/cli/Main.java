@@ -32,7 +32,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
 /**
  * The command {@code hificamsim}.
  *
- * <p>Exit codes: 0 done; 2 wrong usage or bad input, in one line; 1 anything else.
+ * <p>The exit code is 0 for success, 2 for wrong usage or bad input, which are reported in one
+ * line, and 1 for any other failure.
  */
 @Command(
     name = "hificamsim",
@@ -47,7 +48,7 @@ public final class Main {
   private static final String DEFAULT = ".default";
 
   /** The number of characters that are kept of the start and the end of a long message. */
-  private static final int KEPT = 400;
+  private static final int KEPT_CHARACTERS = 400;
 
   /** Runs one command and exits with its code. */
   public static void main(String[] args) {
@@ -72,19 +73,19 @@ public final class Main {
             .setExecutionExceptionHandler((fault, command, parsed) -> failure(fault, command));
     try {
       int exit = line.execute(args);
-      return exit == 0 && out.checkError() ? outputFailed(line) : exit;
+      return exit == 0 && out.checkError() ? reportFailedOutput(line) : exit;
     } catch (Error e) {
       return failure(e, line);
     }
   }
 
-  /** A full device is an error; a reader that stops reading, such as head, is not. */
-  private static int outputFailed(CommandLine line) {
+  /** Reports that the output failed, unless its reader stopped reading, as {@code head} does. */
+  private static int reportFailedOutput(CommandLine line) {
     try {
       new FileOutputStream(FileDescriptor.out).write('\n');
     } catch (IOException e) {
       if (String.valueOf(e.getMessage())
-          .contains("roken pipe")) { // other languages add it in brackets
+          .contains("roken pipe")) { // other languages add the English text in brackets
         return 0;
       }
     }
@@ -124,7 +125,7 @@ public final class Main {
     }
   }
 
-  /** The message with the valid words, or the word that was probably meant. */
+  /** Adds the valid words to a message, or the word that the user probably meant. */
   private static String message(ParameterException fault) {
     Set<String> commands = fault.getCommandLine().getSubcommands().keySet();
     if (!(fault instanceof UnmatchedArgumentException unmatched)) {
@@ -135,8 +136,9 @@ public final class Main {
       String word = unmatched.getUnmatched().get(0);
       return "unknown command '%s', expected one of %s".formatted(word, Nearest.to(word, commands));
     }
-    List<String> meant = unmatched.getSuggestions();
-    return fault.getMessage() + (meant.isEmpty() ? "" : ", maybe " + String.join(" or ", meant));
+    List<String> similar = unmatched.getSuggestions();
+    return fault.getMessage()
+        + (similar.isEmpty() ? "" : ", maybe " + String.join(" or ", similar));
   }
 
   private static int failure(Throwable fault, CommandLine command) {
@@ -172,12 +174,14 @@ public final class Main {
     return code;
   }
 
-  /** Leaves out the middle of a long message: its end says what was expected. */
+  /** Omits the middle of a long message and keeps its end, which tells what was expected. */
   private static String shortened(String message) {
     int length = message.length();
-    return length <= 2 * KEPT
+    return length <= 2 * KEPT_CHARACTERS
         ? message
-        : message.substring(0, KEPT) + "..." + message.substring(length - KEPT);
+        : message.substring(0, KEPT_CHARACTERS)
+            + "..."
+            + message.substring(length - KEPT_CHARACTERS);
   }
 
   private static String oneLine(String message) {

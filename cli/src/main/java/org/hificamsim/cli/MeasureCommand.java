@@ -115,7 +115,7 @@ final class MeasureCommand implements Callable<Integer> {
     return new MeasureSettings(names, new RatioTest(metric, ratio), pip, falseAlarms);
   }
 
-  /** The name of a detector in lower case; a file after a colon keeps its letters. */
+  /** Writes the name of a detector in lower case, except for a file after a colon. */
   private static String name(String text) {
     String[] parts = text.strip().split(":", 2);
     parts[0] = parts[0].toLowerCase(Locale.ROOT);

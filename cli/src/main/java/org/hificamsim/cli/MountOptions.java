@@ -14,7 +14,7 @@ import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.placement.site.MountPoints;
 import picocli.CommandLine.Option;
 
-/** Options of {@code place}: where cameras may be mounted, and which ones stay. */
+/** The options of {@code place} for the positions of cameras, and for the cameras that stay. */
 final class MountOptions {
   private static final String UNKNOWN = "%s: the site has no %s '%s', expected the name of one";
 
@@ -36,7 +36,11 @@ final class MountOptions {
   @Option(names = "--forbid", paramLabel = "ZONE,ZONE")
   private Optional<String> forbid;
 
-  /** The positions of candidates, or positions that are {@code parts} times as dense. */
+  /**
+   * Returns the positions of candidates.
+   *
+   * @param parts 1, or the factor by which positions are denser than the option says
+   */
   List<Point> positions(Scenario site, int parts) {
     List<Zone> forbidden = named("--forbid", forbid, "zone", site.zones(), Zone::name);
     double longer = Math.max(site.field().width(), site.field().height());
@@ -65,7 +69,7 @@ final class MountOptions {
         : named("--keep", keep, "camera", site.cameras(), CameraSpec::name);
   }
 
-  /** The parts of a site that an option names. */
+  /** Finds the parts of a site that an option names. */
   private static <T> List<T> named(
       String option, Optional<String> list, String kind, List<T> parts, Function<T, String> name) {
     return list.stream()

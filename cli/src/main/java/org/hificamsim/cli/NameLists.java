@@ -55,7 +55,7 @@ final class NameLists {
         : model;
   }
 
-  /** The end of a file's path, with the characters that a model's name may have. */
+  /** Shortens a file's path to its end, with the characters that a model's name may have. */
   private static String fileName(String path) {
     String legal = path.replaceAll("[^A-Za-z0-9:._-]+", "-");
     return legal

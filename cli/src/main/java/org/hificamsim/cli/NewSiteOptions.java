@@ -51,7 +51,7 @@ final class NewSiteOptions {
     Optional<Drawing> drawing = reader.drawing(new LocalProjection());
     Optional<Path> picture = reader.isPicture() ? plan : options.floorplan();
     Optional<Floorplan> floorplan =
-        picture.map(image -> new Floorplan(fromPlan(image), options.area(image)));
+        picture.map(image -> new Floorplan(relativeToPlan(image), options.area(image)));
     String name = SiteOptions.safe(file.getFileName().toString().replaceFirst("\\.[^.]*$", ""));
     return reader
         .site(name, 0, OptionalDouble.empty(), drawing, floorplan)
@@ -59,8 +59,8 @@ final class NewSiteOptions {
         .with(Scenario.MOUNT_HEIGHT, MOUNT_HEIGHT);
   }
 
-  /** The way to a picture from the folder of the plan, in which the scenario will be saved. */
-  private String fromPlan(Path image) {
+  /** The path of a picture relative to the plan's folder, in which the scenario will be saved. */
+  private String relativeToPlan(Path image) {
     Path folder = plan.orElseThrow().toAbsolutePath().getParent();
     return folder.relativize(image.toAbsolutePath()).toString();
   }

@@ -7,6 +7,8 @@ final class Numbers {
   private Numbers() {}
 
   /**
+   * Returns the value of an option after checking its range.
+   *
    * @throws InputException naming the option when the value is outside [min, max]
    */
   static int inRange(String option, int value, int min, int max) {

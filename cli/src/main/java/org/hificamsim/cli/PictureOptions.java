@@ -32,7 +32,7 @@ final class PictureOptions {
   private static final int MIN_WIDTH = 200;
   private static final int MAX_WIDTH = 8000;
   private static final int MAX_GIF_WIDTH = 2000;
-  private static final int MAX_PER_SECOND = 50;
+  private static final int MAX_PICTURES_PER_SECOND = 50;
 
   @Option(names = "--png", paramLabel = "FILE")
   private Path png;
@@ -91,7 +91,7 @@ final class PictureOptions {
   }
 
   /**
-   * Checks that no option is about a picture that is not asked for.
+   * Rejects options for pictures that are not asked for.
    *
    * @param words the command line
    */
@@ -126,7 +126,7 @@ final class PictureOptions {
 
   /** Draws the pictures, and prints the name of each file to {@code out}. */
   void write(Path folder, Destination destination, PrintWriter out) throws IOException {
-    Numbers.inRange("--per-second", perSecond, 1, MAX_PER_SECOND);
+    Numbers.inRange("--per-second", perSecond, 1, MAX_PICTURES_PER_SECOND);
     if (width != null) {
       Numbers.inRange("--width", width, MIN_WIDTH, gif == null ? MAX_WIDTH : MAX_GIF_WIDTH);
     }

@@ -68,12 +68,12 @@ final class PlaceCommand implements Callable<Integer> {
   /** The share of the time that cameras may look from mount points. */
   private static final double SHARE_OF_LOOKING = 0.5;
 
-  /** The share of the time after which the plan is found, without what costs less or is refined. */
+  /** The share of the time after which the plan must be found, before it is made cheaper. */
   private static final double SHARE_OF_PLAN = 0.75;
 
   private static final double SHARE_BEFORE_REFINEMENT = 0.65;
 
-  /** The share of the time after which the rest is for what is measured, drawn and written. */
+  /** The share of the time for everything but measuring, drawing and writing the plan. */
   private static final double SHARE_OF_ALL = 0.85;
 
   /**
@@ -181,7 +181,7 @@ final class PlaceCommand implements Callable<Integer> {
     return 0;
   }
 
-  /** How a plan is found. */
+  /** The method by which a plan is found. */
   private enum Method {
     SEARCH,
     EXACT
@@ -253,7 +253,7 @@ final class PlaceCommand implements Callable<Integer> {
     Settings asked = settings.settings();
     Scenario site = scenarioOptions.readSite(scenario, asked, catalogue, screen.err());
     Detection usual = DetectionSpec.of(asked, site, scenario, catalogue);
-    Demand demanded = demand.of(site, usual, catalogue);
+    Demand demanded = demand.demand(site, usual, catalogue);
     demanded.assumptions().forEach(assumption -> screen.say("%s", assumption));
     return demanded;
   }
@@ -309,7 +309,7 @@ final class PlaceCommand implements Callable<Integer> {
     }
   }
 
-  /** Says what happens, after the seconds since the start. */
+  /** Prints an event of the search after the seconds since the start. */
   private void note(String event) {
     screen.note("%6.1f s: %s", seconds(), event);
   }

@@ -10,7 +10,7 @@ import org.hificamsim.placement.output.TitleBlock;
 import org.hificamsim.placement.site.SitePlan;
 import picocli.CommandLine.Option;
 
-/** Options of {@code place}: what its folder has besides the usual files. */
+/** The options of {@code place} for optional files, and for the title block of documents. */
 final class PlanFileOptions {
   @Option(names = "--write-candidates")
   private boolean candidates;
@@ -30,7 +30,7 @@ final class PlanFileOptions {
     return new TitleBlock(entries, currency.orElse(usual));
   }
 
-  /** Adds the files that are asked for. */
+  /** Adds the optional files that are asked for. */
   void write(OutputFolder folder, SitePlan plan) throws IOException {
     if (candidates) {
       PlanFiles.writeCandidates(folder, plan);

@@ -54,7 +54,7 @@ final class PlanOptions {
     return listLayers;
   }
 
-  /** Whether the outermost areas are where people walk. */
+  /** Whether people walk in the outermost areas, which are solid otherwise. */
   boolean walkable() {
     return walkable;
   }
@@ -62,7 +62,7 @@ final class PlanOptions {
   /**
    * Reads a drawing of walls.
    *
-   * @param usualUnit of maps without a unit
+   * @param usualUnit the unit of maps that name none
    */
   Drawing read(Path file, Unit usualUnit, LocalProjection projection) {
     Optional<Unit> unit =
@@ -71,7 +71,8 @@ final class PlanOptions {
             : Optional.of(RecordingOptions.unit("--walls-unit", wallsUnit));
     LayerChoice choice = listLayers ? LayerChoice.FOR_LIST : new LayerChoice(layers);
     boolean isDxf = WallFile.isDxf(file);
-    boolean isForPicture = isDxf && floorplan.isPresent(); // a DXF has a unit of its own
+    // a DXF has a unit of its own, so that the scale is that of the picture
+    boolean isForPicture = isDxf && floorplan.isPresent();
     if (isDxf && !isForPicture && wallsUnit != null && (scale != null || width != null)) {
       throw new InputException(
           "--walls-unit and %s are given, expected one of them"
@@ -92,8 +93,8 @@ final class PlanOptions {
     drawing.leftOut().ifPresent(line -> terminal.println("  " + Place.printable(line)));
   }
 
-  /** A line on the projection of degrees to metres; empty if there was none. */
-  static Optional<String> projected(LocalProjection projection) {
+  /** Describes the projection of degrees to metres in a line; empty if there was none. */
+  static Optional<String> describeProjection(LocalProjection projection) {
     return Double.isNaN(projection.longitude())
         ? Optional.empty()
         : Optional.of(
@@ -102,7 +103,7 @@ final class PlanOptions {
                 projection.latitude(), projection.longitude()));
   }
 
-  /** The place of drawings and pictures; empty if their scale is not given. */
+  /** The scale and corner of drawings and pictures; empty if their scale is not given. */
   Optional<PictureFrame> frame() {
     if (scale != null && width != null) {
       throw new InputException("--scale and --width are given, expected one of them");
@@ -150,7 +151,7 @@ final class PlanOptions {
         .area(picture);
   }
 
-  /** Takes a width of the plan, metres, as if it had been asked for. */
+  /** Sets the width of the plan, metres, as if the user had asked for it. */
   void assumeWidth(double metres) {
     width = metres;
   }

@@ -21,7 +21,7 @@ import org.hificamsim.tracks.place.WallFile;
  * Makes a site from a floor plan: a drawing, a map or a picture.
  *
  * @param file the plan
- * @param options how it is read
+ * @param options the options for reading it
  */
 record PlanReader(Path file, PlanOptions options) {
   /** Whether the plan is a picture, without walls. */
@@ -47,7 +47,7 @@ record PlanReader(Path file, PlanOptions options) {
   /**
    * Prints the layers of the plan with the numbers of their shapes.
    *
-   * @param drawing that was read; empty for a picture
+   * @param drawing the drawing that was read; empty for a picture
    * @throws InputException if the plan is a picture
    */
   void printLayers(Optional<Drawing> drawing, PrintWriter terminal) {
@@ -60,11 +60,11 @@ record PlanReader(Path file, PlanOptions options) {
   /**
    * Makes the site.
    *
-   * @param name of the scenario
+   * @param name the name of the scenario
    * @param cameras the number of draft cameras
-   * @param margin around what is drawn, metres
-   * @param drawing of the walls; empty if there is only a floor plan
-   * @param floorplan under the site
+   * @param margin the margin around the drawing, metres
+   * @param drawing the drawing of the walls; empty if there is only a floor plan
+   * @param floorplan the picture under the site
    */
   DrawnSite site(
       String name,

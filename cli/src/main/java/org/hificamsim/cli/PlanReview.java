@@ -19,9 +19,9 @@ import org.hificamsim.placement.site.PlanCover;
 import org.hificamsim.runs.output.TextTable;
 
 /**
- * A plan as it is, in words for the terminal.
+ * Prints the measures of an evaluated plan.
  *
- * @param file its scenario
+ * @param file the scenario of the plan
  */
 record PlanReview(Path file, EvaluatedPlan plan) {
   private static final String NONE = "-";
@@ -29,7 +29,7 @@ record PlanReview(Path file, EvaluatedPlan plan) {
   /** The number of blind spots and of failures that are printed. */
   private static final int MAX_ROWS = 3;
 
-  /** Prints what the plan meets, zone by zone, what it costs, and what if a camera fails. */
+  /** Prints the demand that the plan meets, its price, and the effect of failures. */
   void print(Screen screen) {
     PlanCover cover = plan.cover();
     screen.say("%s: %s", file, plan.facts().get(0));
@@ -44,7 +44,7 @@ record PlanReview(Path file, EvaluatedPlan plan) {
                     cover.cameras().get(camera).name(), 100 * shares[camera], 100 * cover.share()));
   }
 
-  /** Prints what of each zone is met, and the largest blind spots. */
+  /** Prints the met share of each zone, and the largest blind spots. */
   static void printZones(Screen screen, PlanCover cover) {
     cover
         .demand()
@@ -62,7 +62,7 @@ record PlanReview(Path file, EvaluatedPlan plan) {
         "%.2f %% by %s, k = %d", 100 * cover.claimedShare(zone), zone.detection().name(), zone.k());
   }
 
-  /** The numbers of cameras, those without which least is met first. */
+  /** The numbers of cameras, those first without which the smallest share is met. */
   private static List<Integer> byShare(double[] shares) {
     return IntStream.range(0, shares.length)
         .boxed()

@@ -18,13 +18,13 @@ import org.hificamsim.runs.compare.RunProgress;
 final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
   private static final boolean TERMINAL = Boolean.getBoolean("hificamsim.terminal");
   private static final int MILLISECONDS_BETWEEN_LINES = 10_000;
-  private static final int LINE_WIDTH = 110; // characters
+  private static final int CHARACTERS_PER_LINE = 110;
   private static final Duration BETWEEN_UPDATES = Duration.ofMillis(10);
 
   /** The time in which nothing is shown. */
   static final Duration INITIAL_DELAY = TERMINAL ? Duration.ofSeconds(2) : Duration.ofSeconds(10);
 
-  /** Longer than any run, for quiet commands. */
+  /** A delay that is longer than any run, for quiet commands. */
   static final Duration NEVER = Duration.ofDays(10_000);
 
   private final String task;
@@ -34,12 +34,12 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
   private final Duration quiet;
   private final AtomicLong done = new AtomicLong();
   private long started = System.nanoTime();
-  private volatile long nextUpdate; // nanoseconds
+  private volatile long nextUpdateNanos;
   private ProgressBar bar;
 
   /**
-   * @param unit that is counted, such as {@code " steps"}
-   * @param total 1 or more
+   * @param unit the unit that is counted, such as {@code " steps"}
+   * @param total the number of units, 1 or more
    * @param quiet the time in which nothing is shown
    */
   Progress(String task, String unit, long total, PrintWriter err, Duration quiet) {
@@ -48,14 +48,14 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
     this.total = total;
     this.err = err;
     this.quiet = quiet;
-    this.nextUpdate = started + quiet.toNanos();
+    this.nextUpdateNanos = started + quiet.toNanos();
   }
 
   /** Counts one unit. Thread-safe; a thread rarely waits for another. */
   @Override
   public void advance() {
     done.incrementAndGet();
-    if (System.nanoTime() - nextUpdate > 0) {
+    if (System.nanoTime() - nextUpdateNanos > 0) {
       show();
     }
   }
@@ -63,7 +63,7 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
   private synchronized void show() {
     bar = bar == null ? bar() : bar;
     bar.stepTo(done.get());
-    nextUpdate = System.nanoTime() + BETWEEN_UPDATES.toNanos();
+    nextUpdateNanos = System.nanoTime() + BETWEEN_UPDATES.toNanos();
   }
 
   private ProgressBar bar() {
@@ -79,16 +79,16 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
         ? builder.build()
         : builder
             .setUpdateIntervalMillis(MILLISECONDS_BETWEEN_LINES)
-            .setConsumer(new DelegatingProgressBarConsumer(err::println, LINE_WIDTH))
+            .setConsumer(new DelegatingProgressBarConsumer(err::println, CHARACTERS_PER_LINE))
             .build();
   }
 
-  /** Counts units that were done before the start; they do not count for the speed. */
+  /** Counts units that were done before the start, which have no effect on the speed. */
   @Override
   public synchronized void resume(long units) {
     done.addAndGet(units);
     started = System.nanoTime();
-    nextUpdate = started + quiet.toNanos();
+    nextUpdateNanos = started + quiet.toNanos();
   }
 
   @Override

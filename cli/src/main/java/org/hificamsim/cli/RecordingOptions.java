@@ -22,7 +22,7 @@ import picocli.CommandLine.Option;
 
 /** The options about a recording. */
 final class RecordingOptions {
-  private static final double MAX = 1e9;
+  private static final double MAX_VALUE = 1e9;
 
   @Option(names = "--rate", paramLabel = "R")
   private Double rate;
@@ -51,7 +51,7 @@ final class RecordingOptions {
   @Option(names = "--size", paramLabel = "M[xM]")
   private String size;
 
-  /** The recording as the options describe it. */
+  /** Returns the recording in a file, as the options describe it. */
   Recording recording(Path file) {
     return new Recording(file, positive("--rate", rate), unit(), columns);
   }
@@ -64,10 +64,10 @@ final class RecordingOptions {
     return Spelling.require(Unit.class, option, text);
   }
 
-  /** How samples become tracks. */
+  /** The settings by which samples become tracks. */
   TrackSettings settings() {
-    double start = from == null ? 0 : Ranges.within("--from", from, 0, MAX);
-    double end = to == null ? MAX : Ranges.within("--to", to, start, MAX);
+    double start = from == null ? 0 : Ranges.within("--from", from, 0, MAX_VALUE);
+    double end = to == null ? MAX_VALUE : Ranges.within("--to", to, start, MAX_VALUE);
     return new TrackSettings(positive("--gap", gap), start, end, edge(), extent());
   }
 
@@ -76,7 +76,7 @@ final class RecordingOptions {
     if (value == null) {
       return OptionalDouble.empty();
     }
-    if (!(value > 0 && value <= MAX)) {
+    if (!(value > 0 && value <= MAX_VALUE)) {
       throw new InputException(option + " is " + value + ", expected a number above 0");
     }
     return OptionalDouble.of(value);
@@ -98,7 +98,7 @@ final class RecordingOptions {
   private double metres(String text) {
     try {
       double metres = Double.parseDouble(text);
-      if (metres > 0 && metres <= MAX) {
+      if (metres > 0 && metres <= MAX_VALUE) {
         return metres;
       }
     } catch (NumberFormatException e) {
@@ -107,7 +107,7 @@ final class RecordingOptions {
     throw InputException.of("--size is '%s', expected metres above 0, as 0.5 or 0.5x1.75", size);
   }
 
-  /** The sizes of the targets in words. */
+  /** Describes the sizes of the targets. */
   String sizeLine(ImportSummary summary) {
     String others = size == null ? TargetSpec.DEFAULT_SIZE + " m (--size)" : size + " m";
     return summary.targetsWithSize() == summary.targets()

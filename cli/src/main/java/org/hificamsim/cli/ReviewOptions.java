@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.hificamsim.placement.output.PlanFiles;
 import picocli.CommandLine.Option;
 
-/** Options of {@code place}: plans to measure as they are, in place of planning. */
+/** The options of {@code place} that measure existing plans instead of planning. */
 final class ReviewOptions {
   @Option(names = "--evaluate", paramLabel = "PLAN.xml")
   private Optional<Path> evaluated;

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
@@ -55,7 +56,7 @@ import picocli.CommandLine.Parameters;
     name = "run",
     description = "Simulates a scenario and writes steps.csv, summary.json and manifest.json.")
 final class RunCommand implements Callable<Integer> {
-  /** The size of a page from which there is a warning. */
+  /** The size of a page that causes a warning. */
   private static final int LARGE_PAGE_MEGABYTES = 5;
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
@@ -162,7 +163,7 @@ final class RunCommand implements Callable<Integer> {
     return new World(plan.scenario(), catalogue.movements(), plan.seed());
   }
 
-  /** A recording knows the angles that scenarios list. */
+  /** Rejects recording a policy that uses other angles than those that the scenario lists. */
   private void checkRecord(Catalogue catalogue, RunPlan plan) {
     if (record && catalogue.policies().create(plan.policy()) instanceof AimingZoomPolicy) {
       throw InputException.of(
@@ -191,7 +192,7 @@ final class RunCommand implements Callable<Integer> {
     }
   }
 
-  /** The plan; all of its settings are checked. */
+  /** Makes the plan, after checking all settings. */
   private RunPlan plan(Catalogue catalogue) {
     Settings asked = settings.settings();
     Scenario scenario = scenarioOptions.read(file, asked, catalogue, screen.err());
@@ -201,7 +202,9 @@ final class RunCommand implements Callable<Integer> {
   }
 
   /**
-   * @param recorders of a run; one that was not asked for is null
+   * Runs all repeats.
+   *
+   * @param recorders makes the recorders of a repeat; those that were not asked for are null
    */
   private List<RunResult> execute(
       RunPlan plan, Catalogue catalogue, IntFunction<Stream<StepListener>> recorders)
@@ -217,7 +220,7 @@ final class RunCommand implements Callable<Integer> {
                           recorders.apply(run).filter(Objects::nonNull),
                           Stream.of(counter),
                           listeners.stream().map(catalogue.listeners()::create))
-                      .flatMap(recordersOfKind -> recordersOfKind)
+                      .flatMap(Function.identity())
                       .toList());
     }
   }
@@ -242,7 +245,7 @@ final class RunCommand implements Callable<Integer> {
     private final long[] counts;
 
     /**
-     * @param steps of every repeat, 1 or more
+     * @param steps the number of steps of every repeat, 1 or more
      */
     ScoreOverTime(int steps) {
       this.steps = steps;

@@ -17,7 +17,7 @@ import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.ScoreText;
 import org.hificamsim.runs.SettingSource;
 
-/** Prints the summary of a run; {@code SummaryTables} prints that of a comparison. */
+/** Prints the summary of a run. {@code SummaryTables} prints the summary of a comparison. */
 final class RunSummary {
   private static final String BLOCKS = "\u2581\u2582\u2583\u2584\u2585\u2586\u2587\u2588";
   private static final String ASCII = "_.:-=+*#";
@@ -60,15 +60,15 @@ final class RunSummary {
         .forEach((zone, met) -> table.line("zone " + zone, Texts.format("%.2f %%", 100 * met)));
     RunResult.unprovenSteps(plan, results).ifPresent(steps -> table.line("not proven", steps));
     RunResult.unprovenExpectation(results).ifPresent(gap -> table.line("not proven", gap));
-    table.uncovered(plan);
-    String course = plan.objective().hasOwnFigure() ? "score" : plan.objective().stepScore();
-    table.line(course + " over time", bars(overTime, terminal()));
+    table.printReachIfUncovered(plan);
+    String figure = plan.objective().hasOwnFigure() ? "score" : plan.objective().stepScore();
+    table.line(figure + " over time", bars(overTime, terminal()));
     table.line("files", folder.toString());
     out.flush();
   }
 
-  /** Prints how far targets are detected if the score is 0. */
-  private void uncovered(RunPlan plan) {
+  /** Prints the distance to which targets are detected if the score is 0. */
+  private void printReachIfUncovered(RunPlan plan) {
     if (RunResult.mean(plan, results, Metric.SCORE).mean() == 0) {
       line(
           plan.detection().certain() ? "detected up to" : "half of the time",
@@ -76,7 +76,7 @@ final class RunSummary {
     }
   }
 
-  /** Prints where the settings come from that a scenario may have. */
+  /** Prints the sources of the settings that a scenario may have. */
   private void sources(RunPlan plan) {
     String chosen =
         Arrays.stream(SettingSource.values())

@@ -7,7 +7,7 @@ import org.hificamsim.core.Spelling;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.place.PlanScale;
 
-/** Reads {@code --scale}: metres, a scale of paper, or two points of known distance. */
+/** Reads the value of {@code --scale}: metres, a scale on paper, or two points with a distance. */
 final class ScaleText {
   private static final String NUMBER = "([-+]?[0-9]*\\.?[0-9]+(?:[eE][-+]?[0-9]+)?)";
   private static final Pattern METRES = Pattern.compile(NUMBER + "m?");
@@ -36,7 +36,7 @@ final class ScaleText {
     if (distance.matches()) {
       return new PlanScale.PerUnit(metresPerUnit(text, distance));
     }
-    throw wrong(text);
+    throw malformed(text);
   }
 
   private static double metresPerUnit(String text, Matcher distance) {
@@ -57,12 +57,12 @@ final class ScaleText {
   private static double positive(String text, String number) {
     double value = Double.parseDouble(number);
     if (!(value > 0 && value <= MAX)) {
-      throw wrong(text);
+      throw malformed(text);
     }
     return value;
   }
 
-  private static InputException wrong(String text) {
+  private static InputException malformed(String text) {
     return InputException.of(
         "--scale is '%s', expected the metres of a pixel or unit (0.02), a scale of paper (1:100)"
             + " or a distance between two points (12.5m=x1,y1:x2,y2)",

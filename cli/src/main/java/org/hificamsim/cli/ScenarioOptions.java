@@ -26,7 +26,7 @@ final class ScenarioOptions {
     return strict;
   }
 
-  /** The message of a warning that is an error because of {@code --strict}. */
+  /** The message of a warning that {@code --strict} makes an error. */
   static String asError(String warning) {
     return warning + "; expected no warning, with --strict";
   }
@@ -43,12 +43,12 @@ final class ScenarioOptions {
     };
   }
 
-  /** Reads a scenario with the settings that are asked for, and warnings on {@code err}. */
+  /** Reads a scenario, applies the user's settings, and prints warnings on {@code err}. */
   Scenario read(Path file, Settings asked, Catalogue catalogue, PrintWriter err) {
     return read(ScenarioReader::read, file, asked, catalogue, err);
   }
 
-  /** Reads a scenario that may have no cameras and no targets, like {@link #read}. */
+  /** Reads a scenario like {@link #read}, but one that may have no cameras and no targets. */
   Scenario readSite(Path file, Settings asked, Catalogue catalogue, PrintWriter err) {
     return read(ScenarioReader::readSite, file, asked, catalogue, err);
   }

@@ -23,7 +23,7 @@ final class Screen {
     return quiet ? nowhere() : command.commandLine().getOut();
   }
 
-  /** Prints a line of results, with a form as in {@link String#format}. */
+  /** Prints a line of results, with a format as in {@link String#format}. */
   void say(String form, Object... values) {
     out().println(Texts.format(form, values));
   }
@@ -46,8 +46,8 @@ final class Screen {
   /**
    * The progress of the command, which is shown unless the command is quiet.
    *
-   * @param subject of the work; empty if the name of the command says it
-   * @param unit that is counted, such as {@code " steps"}
+   * @param subject the subject of the work; empty if the name of the command tells it
+   * @param unit the unit that is counted, such as {@code " steps"}
    */
   Progress progress(String subject, String unit, long total) {
     return new Progress(

@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import org.hificamsim.core.Texts;
 import org.hificamsim.placement.site.PlacementProblem;
 
-/** Prints the parts of a search for a plan, and the plan and its bound when they change. */
+/** Prints the progress of a search for a plan: its parts, and each change of score and bound. */
 final class SearchProgress implements PlacementProblem.Watcher {
   private final Consumer<String> notes;
   private final boolean asShares;

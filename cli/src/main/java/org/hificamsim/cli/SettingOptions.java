@@ -13,7 +13,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Spec;
 
-/** A mixin with the options of a command that are settings of a run, made from declarations. */
+/** Adds the settings of a run to the options of a command, from their declarations. */
 @Command
 final class SettingOptions {
   private final Set<Setting> settings;
@@ -25,24 +25,24 @@ final class SettingOptions {
     this.settings = settings;
   }
 
-  /** All settings. */
+  /** Returns options for all settings. */
   static SettingOptions all() {
     return new SettingOptions(EnumSet.allOf(Setting.class));
   }
 
-  /** All settings except some. */
+  /** Returns options for all settings except some. */
   static SettingOptions allBut(Setting... excluded) {
     SettingOptions options = all();
     options.settings.removeAll(List.of(excluded));
     return options;
   }
 
-  /** Only these settings. */
+  /** Returns options for some settings. */
   static SettingOptions of(Setting first, Setting... further) {
     return new SettingOptions(EnumSet.of(first, further));
   }
 
-  /** The same options without a default for one of them. */
+  /** Removes the default of an option, and returns these options. */
   SettingOptions withoutDefault(Setting setting) {
     withoutDefault.add(setting);
     return this;
@@ -66,7 +66,7 @@ final class SettingOptions {
   }
 
   /**
-   * The settings that were asked for, and the defaults of the command for the others.
+   * Returns the settings that the user asks for, and the command's defaults of all others.
    *
    * @throws InputException when a setting cannot have its value
    */

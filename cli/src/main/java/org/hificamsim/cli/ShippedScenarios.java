@@ -15,7 +15,7 @@ import org.hificamsim.runs.benchmark.Benchmark;
 
 /** The scenarios that come with the simulator: the folder {@code scenarios} of the project. */
 final class ShippedScenarios {
-  /** The folder of the project that the launcher names, else the working directory. */
+  /** The project's folder as the launcher gives it, or else the working directory. */
   private static final Path HOME = Path.of(System.getProperty("hificamsim.root", ""));
 
   private ShippedScenarios() {}

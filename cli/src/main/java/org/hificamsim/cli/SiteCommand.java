@@ -26,7 +26,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code hificamsim site}: makes a scenario of a floor plan alone. */
+/** {@code hificamsim site}: makes a scenario from a floor plan alone. */
 @Command(
     name = "site",
     description = "Makes a scenario from a floor plan: a drawing, a map or a picture.")
@@ -69,36 +69,39 @@ final class SiteCommand implements Callable<Integer> {
     SiteOutput output = new SiteOutput(spec, name, picture);
     output.claim(folder, List.of());
     Optional<Floorplan> floorplan = picture.map(image -> plan.floorplan(name, image));
-    DrawnSite made = reader.site(name, site.cameras(0), site.margin(), drawing, floorplan);
-    List<String> signs = Plausibility.of(made).signs(forceReading);
-    Scenario empty = made.scenario();
+    DrawnSite drawnSite = reader.site(name, site.cameras(0), site.margin(), drawing, floorplan);
+    List<String> warnings = Plausibility.of(drawnSite).signs(forceReading);
+    Scenario empty = drawnSite.scenario();
     long seed = random.settings().seed();
     Scenario scenario = empty.with(Scenario.TARGETS, FreePositions.people(empty, people, seed));
     try (OutputFolder written = Destination.folder(spec, folder)) {
-      output.write(written, made.xml(scenario));
+      output.write(written, drawnSite.xml(scenario));
       written.commit(List.of());
     }
     print(
-        folder.resolve(output.scenarioFile()), made, drawing.flatMap(Drawing::leftOut), projection);
-    signs.forEach(output::warn);
+        folder.resolve(output.scenarioFile()),
+        drawnSite,
+        drawing.flatMap(Drawing::leftOut),
+        projection);
+    warnings.forEach(output::warn);
     return 0;
   }
 
   private void print(
-      Path scenario, DrawnSite made, Optional<String> leftOut, LocalProjection projection) {
+      Path scenario, DrawnSite drawnSite, Optional<String> leftOut, LocalProjection projection) {
     PrintWriter terminal = spec.commandLine().getOut();
-    Field field = made.field();
+    Field field = drawnSite.field();
     terminal.println(scenario);
     terminal.println(
         Texts.format(
             "  field: %s x %s m; walls and solids: %s",
-            field.width(), field.height(), made.obstacles().all().size()));
+            field.width(), field.height(), drawnSite.obstacles().all().size()));
     leftOut.ifPresent(line -> terminal.println("  " + Place.printable(line)));
-    PlanOptions.projected(projection).ifPresent(line -> terminal.println("  " + line));
+    PlanOptions.describeProjection(projection).ifPresent(line -> terminal.println("  " + line));
     terminal.println(
         Texts.format(
             "  draft cameras: %s; people who walk at random: %s", site.cameras(0), people));
-    terminal.println("  " + made.question());
+    terminal.println("  " + drawnSite.question());
     terminal.println(
         site.cameras(0) > 0 ? "Plan its cameras, or move them by hand:" : "Plan its cameras:");
     terminal.println(Texts.format("  ./hificamsim place %s --cameras 4", scenario));

@@ -20,14 +20,14 @@ final class SiteOptions {
   @Option(names = "--margin", paramLabel = "M")
   private Double margin;
 
-  /** The name of the scenario: that of the option, else of a file. */
+  /** The name of the scenario: the value of the option, or else the name of a file. */
   String name(Path file) {
     String fileName = file.getFileName().toString().replaceFirst("(?i)\\.gz$", "");
-    String wanted = name != null ? name : fileName.replaceFirst("\\.[^.]*$", "");
-    String safe = safe(wanted);
-    if (safe.isEmpty() || safe.startsWith(".") || (name != null && !safe.equals(wanted))) {
+    String requested = name != null ? name : fileName.replaceFirst("\\.[^.]*$", "");
+    String safe = safe(requested);
+    if (safe.isEmpty() || safe.startsWith(".") || (name != null && !safe.equals(requested))) {
       throw InputException.of(
-          "--name is '%s', expected letters, digits and any of _.+- of them", wanted);
+          "--name is '%s', expected letters, digits and any of _.+- of them", requested);
     }
     return safe;
   }

@@ -11,10 +11,10 @@ import org.hificamsim.core.file.OutputFolder;
 import picocli.CommandLine.Model.CommandSpec;
 
 /**
- * The files of a scenario that a command makes of a plan, and the command's warnings.
+ * Writes the files of a scenario that a command makes from a plan, and the command's warnings.
  *
- * @param name of the scenario
- * @param picture of the floor plan; empty if there is none
+ * @param name the name of the scenario
+ * @param picture the picture of the floor plan; empty if there is none
  */
 record SiteOutput(CommandSpec command, String name, Optional<Path> picture) {
   /** The name of the scenario's file. */
@@ -30,7 +30,7 @@ record SiteOutput(CommandSpec command, String name, Optional<Path> picture) {
     Destination.claim(command, folder, names);
   }
 
-  /** Writes the scenario, with its picture beside it. */
+  /** Writes the scenario, and a copy of the picture next to it. */
   void write(OutputFolder folder, String xml) throws IOException {
     if (picture.isPresent()) {
       folder.copy(PlanOptions.floorplanName(name, picture.get()), picture.get());
@@ -39,11 +39,11 @@ record SiteOutput(CommandSpec command, String name, Optional<Path> picture) {
   }
 
   /** Prints a warning, in which settings are written as options. */
-  void warn(String sign) {
-    command.commandLine().getErr().println("warning: " + printable(sign));
+  void warn(String warning) {
+    command.commandLine().getErr().println("warning: " + printable(warning));
   }
 
-  /** A line for the terminal, in which settings are written as options. */
+  /** Escapes a line for the terminal, and writes its settings as options. */
   static String printable(String line) {
     return Place.printable(NamedSetting.written(line, Flags.NOTATION));
   }

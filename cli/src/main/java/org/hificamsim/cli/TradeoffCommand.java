@@ -131,8 +131,8 @@ final class TradeoffCommand implements Callable<Integer> {
         });
   }
 
-  /** The number of heterogeneous networks to sample or to search; 0 for the other way. */
-  private int count(String way) {
+  /** The number of heterogeneous networks to sample, or to search; 0 if the method is another. */
+  private int count(String method) {
     Matcher form = HETEROGENEOUS.matcher(heterogeneous);
     if (!form.matches()) {
       throw InputException.of(
@@ -140,7 +140,7 @@ final class TradeoffCommand implements Callable<Integer> {
               + " 1 to 9999999",
           heterogeneous);
     }
-    return way.equals(form.group(1)) ? Integer.parseInt(form.group(2)) : 0;
+    return method.equals(form.group(1)) ? Integer.parseInt(form.group(2)) : 0;
   }
 
   private NetworkChoice choice() {
@@ -181,7 +181,7 @@ final class TradeoffCommand implements Callable<Integer> {
       int homogeneous = front.group().members(Members.HOMOGENEOUS).length;
       if (EnumSet.of(Members.STATIC, Members.ADAPTIVE, Members.ALL).contains(front.members())
           && front.group().members(front.members()).length == homogeneous) {
-        continue; // the same networks
+        continue; // the set has no networks but the homogeneous ones
       }
       RunPlan plan = front.group().plan();
       int[] members = front.group().front(front.members());

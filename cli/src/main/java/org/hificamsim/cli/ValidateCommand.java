@@ -50,8 +50,8 @@ final class ValidateCommand implements Callable<Integer> {
     asked
         .asked(Setting.DETECTION)
         .ifPresent(name -> DetectionSpec.parse(name, catalogue::detection));
-    long wrong = files.stream().filter(file -> !isValid(file, asked, catalogue)).count();
-    return wrong == 0 ? 0 : Main.BAD_INPUT;
+    long invalid = files.stream().filter(file -> !isValid(file, asked, catalogue)).count();
+    return invalid == 0 ? 0 : Main.BAD_INPUT;
   }
 
   /** Prints the errors and warnings of a file, or that it has no error. */
@@ -97,7 +97,7 @@ final class ValidateCommand implements Callable<Integer> {
       requireDetection(file, zone, catalogue, errors);
     }
     try {
-      FloorPictures.of(file, scenario); // a recorded run needs it
+      FloorPictures.of(file, scenario); // a recorded run needs the picture
     } catch (InputException e) {
       warnings.add(e.message(Flags.NOTATION));
     }
@@ -114,11 +114,11 @@ final class ValidateCommand implements Callable<Integer> {
     }
   }
 
-  private void print(Path file, String start, List<String> lines) {
+  private void print(Path file, String prefix, List<String> lines) {
     PrintWriter err = spec.commandLine().getErr();
-    lines.stream().limit(MAX_LINES).forEach(line -> err.println(start + Place.printable(line)));
+    lines.stream().limit(MAX_LINES).forEach(line -> err.println(prefix + Place.printable(line)));
     if (lines.size() > MAX_LINES) {
-      err.println(start + file + ": " + (lines.size() - MAX_LINES) + " more, expected none");
+      err.println(prefix + file + ": " + (lines.size() - MAX_LINES) + " more, expected none");
     }
   }
 }

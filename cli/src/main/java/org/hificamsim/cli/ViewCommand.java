@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
     })
 final class ViewCommand implements Callable<Integer> {
   private static final int MAX_PORT = 65_535;
-  private static final Duration GRACE = Duration.ofSeconds(5);
+  private static final Duration GRACE_PERIOD = Duration.ofSeconds(5);
 
   @Parameters(arity = "0..1", paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path scenarioFile;
@@ -76,8 +76,8 @@ final class ViewCommand implements Callable<Integer> {
     }
     Path file = newSite.plan().orElse(scenarioFile);
     Scenario scenario = newSite.plan().isPresent() ? newSite.site() : read(asked, catalogue);
-    DetectionSpec.of(
-        asked, scenario, file, catalogue); // rejects a wrong one with its place in the file
+    // rejects an invalid detection with its place in the file
+    DetectionSpec.of(asked, scenario, file, catalogue);
     String detection = asked.value(Setting.DETECTION, scenario);
     Double threshold = asked.asked(Setting.THRESHOLD).map(Double::valueOf).orElse(null);
     LiveChoice choice = new LiveChoice(detection, threshold, asked.value(Setting.POLICY));
@@ -93,7 +93,7 @@ final class ViewCommand implements Callable<Integer> {
             Optional.of(planner));
     String page = LivePage.html(catalogue, scenario.name(), detection, tools(planner));
     try (LiveSession session = new LiveSession(run);
-        ViewServer server = new ViewServer(session, page, port, GRACE)) {
+        ViewServer server = new ViewServer(session, page, port, GRACE_PERIOD)) {
       spec.commandLine().getOut().println(server.address());
       spec.commandLine().getOut().flush();
       if (!noBrowser) {

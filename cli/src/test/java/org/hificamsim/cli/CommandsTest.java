@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Tests which commands a call reads. */
+/** Tests that a call loads only the commands that it needs. */
 class CommandsTest {
   private static final Set<String> ALL = Commands.all().getSubcommands().keySet();
 

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 class CompareCommandTest {
   @Test
-  void forecastIsOneSentenceWithAQuickerAlternative() {
+  void forecastNamesTimesAndFasterYardstick() {
     assertEquals(
         "the optimum of hall takes up to 0.25 s a step, all optima up to 3:07 hours;"
             + " --yardsticks bound takes a small part of it",

@@ -27,7 +27,7 @@ class DefaultsTest {
   }
 
   @Test
-  void everyDefaultAndTextBelongsToAnOption() {
+  void everyDefaultAndTextBelongsToOption() {
     Set<String> unknown = new TreeSet<>(defaults.stringPropertyNames());
     texts.keySet().stream()
         .map(key -> key.replaceFirst("\\.(default|\\d)$", ""))
@@ -37,7 +37,7 @@ class DefaultsTest {
   }
 
   @Test
-  void everyPrimitiveOptionHasADefault() {
+  void everyPrimitiveOptionHasDefault() {
     for (OptionSpec option : options) {
       assertTrue(
           option.arity().max() == 0
@@ -50,7 +50,7 @@ class DefaultsTest {
   }
 
   @Test
-  void everyOptionHasAText() {
+  void everyOptionHasText() {
     CommandLine all = Commands.all().setResourceBundle(texts);
     options.clear();
     collect(all);

@@ -24,15 +24,15 @@ class ProgressTest {
     return new Progress(task, unit, total, new PrintWriter(output, true), quiet);
   }
 
-  /** The last line without its bar. */
-  private String last() {
+  /** Returns the last line without its bar. */
+  private String lastLine() {
     List<String> lines = output.toString().lines().toList();
     return lines.get(lines.size() - 1).replaceAll("\\[.*?\\]", "");
   }
 
-  /** An earlier call has measured 36 of 60 photos. */
+  /** Another call has measured 36 of 60 photos before. */
   @Test
-  void resumedWorkCountsAsDoneButNotForTheSpeed() throws InterruptedException {
+  void countsResumedWorkAsDoneButNotForSpeed() throws InterruptedException {
     try (Progress progress = progress("lab", " photos", 60, Duration.ZERO)) {
       progress.resume(36);
       for (int photo = 0; photo < 5; photo++) {
@@ -40,8 +40,8 @@ class ProgressTest {
         progress.advance();
       }
     }
-    assertTrue(last().matches("lab +68% .*41/60 photos .*"), output.toString());
-    String perSecond = last().replaceFirst(".* ([\\d.]+) photos/s.*", "$1");
+    assertTrue(lastLine().matches("lab +68% .*41/60 photos .*"), output.toString());
+    String perSecond = lastLine().replaceFirst(".* ([\\d.]+) photos/s.*", "$1");
     assertTrue(Double.parseDouble(perSecond) < 10, output.toString());
   }
 
@@ -52,7 +52,7 @@ class ProgressTest {
         progress.advance();
       }
     }
-    assertTrue(last().matches("run ring +100% .*2000/2000 steps .*"), output.toString());
+    assertTrue(lastLine().matches("run ring +100% .*2000/2000 steps .*"), output.toString());
   }
 
   @Test
@@ -63,9 +63,9 @@ class ProgressTest {
     assertEquals("", output.toString());
   }
 
-  /** For example MATE's scenario has 300 steps, and HiT-MAC's 100. */
+  /** The scenario of MATE has 300 steps, for example, and that of HiT-MAC 100. */
   @Test
-  void countsRunsOfDifferentLengthOnceEach() throws IOException {
+  void countsEachRunOnceWhateverItsLength() throws IOException {
     Path file = Path.of("..", "scenarios", "hit-mac.xml");
     Scenario scenario = ScenarioReader.read(file, name -> true, warning -> {});
     Detection detection = Detection.of(new GeometricDetection());

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 class RunSummaryTest {
   @Test
-  void barsAreProportional() {
+  void barsAreProportionalToValues() {
     double[] values = {0, 1, 2, 3, 4, 5, 6, 7};
     assertEquals("▁▂▃▄▅▆▇█  (▁ 0 to █ 7.00)", RunSummary.bars(values, StandardCharsets.UTF_8));
   }
