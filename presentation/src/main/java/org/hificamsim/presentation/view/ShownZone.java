@@ -44,6 +44,7 @@ record ShownZone(
 
   private static String demand(Zone asked) {
     String level = DensityDetections.levelName(asked.detection());
-    return level + (asked.k() > 1 ? " by %s cameras".formatted(asked.k()) : "");
+    String faces = asked.asksForFaces() ? ", faces" : "";
+    return level + (asked.k() > 1 ? " by %s cameras".formatted(asked.k()) : "") + faces;
   }
 }

@@ -51,8 +51,14 @@ export class DrawForm {
         this.choice,
         this.draw,
         this.inputs,
-        ...this.ends.map((input, i) => el('label', {}, `${ENDS[i]} `, input)),
-        el('button', {class: 'add-drawn'}, 'add'),
+        el(
+          'span',
+          {class: 'ends'},
+          ...this.ends.slice(0, 2).map((input, i) => el('label', {}, `${ENDS[i]} `, input)),
+          el('span'),
+          ...this.ends.slice(2).map((input, i) => el('label', {}, `${ENDS[i + 2]} `, input)),
+          el('span', {}, el('button', {class: 'add-drawn'}, 'add')),
+        ),
       ),
       this.removal,
     );

@@ -13,6 +13,7 @@ import {paintScene} from './scene.js';
 import {describeCamera, describePlace, describeTarget, Tooltip} from './tooltip.js';
 import {TrackCanvas} from './track-canvas.js';
 import {viewAt} from './views.js';
+import {hasOutlines} from './zone-layer.js';
 
 const COLOURS = ['ink', 'faint', 'grid', 'paper', 'camera', 'range', 'wall', 'shadow', 'accent'];
 
@@ -74,9 +75,11 @@ export class FieldView {
 
   /** Changes what is shown: a frame, the selected camera, an option. */
   set(name, value) {
+    const hadZones = hasOutlines(this.zones);
     this[name] = value;
     this.surface.draw();
-    if (name === 'densityZones' || (name === 'selected' && this.densityZones)) this.writeLegend();
+    const inLegend = name === 'densityZones' || (name === 'selected' && this.densityZones);
+    if (inLegend || hadZones !== hasOutlines(this.zones)) this.writeLegend();
   }
 
   show(frame) {

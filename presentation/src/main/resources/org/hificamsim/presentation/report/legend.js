@@ -4,6 +4,7 @@ import {decimals} from './numbers.js';
 import {paintObstacle} from './obstacle-layer.js';
 import {COVER, DENSITY_ZONES, shape} from './palette.js';
 import {BLIND_DASHES, VIEW_DASHES} from './view-layers.js';
+import {hasOutlines} from './zone-layer.js';
 
 const MOST_TRANSMITTANCES = 3;
 
@@ -11,9 +12,10 @@ const MOST_TRANSMITTANCES = 3;
  * Returns the entries of the legend, {label, mark}, in groups. `mark(context, x, y, r)` paints an
  * entry's sign with its centre at a place; an entry without a mark is a heading.
  */
-export const legend = ({run: {setup}, colours, densityCamera, host, unit}) =>
+export const legend = ({run: {setup}, zones, colours, densityCamera, host, unit}) =>
   [
-    coverSigns(colours),
+    setup.targets.length ? coverSigns(colours) : [],
+    viewSigns(colours, zones),
     siteSigns(setup, colours, hatch(host, colours.shadow, unit)),
     densityCamera < 0 ? [] : densitySigns(setup.cameras[densityCamera]),
   ].filter(group => group.length);
@@ -21,9 +23,13 @@ export const legend = ({run: {setup}, colours, densityCamera, host, unit}) =>
 const coverSigns = colours =>
   [{label: 'covered by'}].concat(
     COVER.map(({label, colour}, kind) => ({label, mark: covered(kind, colour)})),
+  );
+
+const viewSigns = (colours, zones) =>
+  [
     {label: 'field of view', mark: ringed(colours.range, VIEW_DASHES)},
     {label: 'detection range', mark: filled(colours.range, 0.35)},
-  );
+  ].concat(hasOutlines(zones) ? [{label: 'zone', mark: framed(colours.accent)}] : []);
 
 function siteSigns({obstacles = [], slow}, colours, hidden) {
   const transmittances = new Set(obstacles.map(({transmittance}) => transmittance));
@@ -65,6 +71,12 @@ const ringed = (colour, pattern) => (context, x, y, r) => {
   context.beginPath();
   context.arc(x, y, r, 0, 2 * Math.PI);
   context.stroke();
+};
+
+const framed = colour => (context, x, y, r) => {
+  context.strokeStyle = colour;
+  context.setLineDash([0.8 * r, 0.4 * r]);
+  context.strokeRect(x - r, y - r, 2 * r, 2 * r);
 };
 
 function filled(style, alpha = 1) {

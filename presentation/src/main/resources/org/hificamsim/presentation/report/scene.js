@@ -11,7 +11,7 @@ import {heat} from './heat-layer.js';
 import {obstacles} from './obstacle-layer.js';
 import {tracks, trails} from './path-layers.js';
 import {densityZones, shadows, views} from './view-layers.js';
-import {zones} from './zone-layer.js';
+import {zoneNames, zones} from './zone-layer.js';
 
 /** All layers, the lowest first. */
 export const LAYERS = [
@@ -26,6 +26,7 @@ export const LAYERS = [
   obstacles,
   tracks,
   trails,
+  zoneNames,
   messages,
   cameras,
   targets,

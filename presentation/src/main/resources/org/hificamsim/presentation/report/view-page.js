@@ -7,13 +7,14 @@ import {unpackHeat} from './heat.js';
 import {LiveEdits} from './live-edits.js';
 import {LivePlayhead} from './live-playhead.js';
 import {scoreText} from './names.js';
-import {decimals} from './numbers.js';
 import {PlanForm} from './plan-form.js';
 import {Player} from './player.js';
 import {Run, thinned} from './run.js';
+import {ZoneList} from './zone-list.js';
 
 const MAX_FRAMES = 8000;
 const RECENT_STEPS = 100;
+const SCROLLING = ['.side', '.tools'];
 
 const LIVE_NOTE =
   'Drag a camera, or move the chosen one with W A S D and turn it with Q and E (with shift ten ' +
@@ -52,14 +53,12 @@ class LiveView {
     this.fault = el('p', {class: 'notice', role: 'alert', hidden: true});
     this.thinned = el('p', {class: 'notice', hidden: true});
     this.warning = el('p', {class: 'notice warning', role: 'alert', hidden: true});
-    // Not a status: it changes all the time while a camera is dragged.
-    this.shares = el('p', {class: 'note shares', hidden: true});
+    this.shares = new ZoneList();
     const status = el('p', {class: 'unseen', role: 'status'});
     this.place = el('div', {class: 'live-view'});
     root.append(
       this.header(),
       el('div', {class: 'messages'}, this.fault, this.warning, this.thinned),
-      this.shares,
       status,
       this.place,
     );
@@ -172,6 +171,7 @@ class LiveView {
   /** Builds the players; the forms only for new simulations, because somebody may be typing. */
   build(fresh) {
     const focused = this.place.querySelector('.tools :focus');
+    const scrolled = SCROLLING.map(name => this.place.querySelector(name)?.scrollTop ?? 0);
     this.playhead.listeners = [];
     this.controls.run = this.runs[0];
     this.playhead.subscribe(frame => this.controls.show(frame));
@@ -188,6 +188,7 @@ class LiveView {
       column.append(this.players[i].element);
     });
     focused?.focus(); // it may have moved to a new player
+    SCROLLING.forEach((name, i) => (this.place.querySelector(name).scrollTop = scrolled[i]));
     setText(this.twice, this.runs.length > 1 ? 'one model only' : 'second model next to it');
     this.refresh();
   }
@@ -206,7 +207,7 @@ class LiveView {
     return new Player(run, this.playhead, {
       edit: this.edits,
       draw: this.draw,
-      tools: side ? [] : [this.draw.element, this.plan.element],
+      tools: side ? [] : [this.draw.element, this.plan.element, this.shares.element],
       ceiling: () => Math.max(...this.runs.map(({highestKMin}) => highestKMin)),
       heat: figure => this.chooseHeat(figure),
       figures: this.data.figures,
@@ -299,7 +300,7 @@ class LiveView {
     this.heated = Boolean(state.heat);
     this.players.forEach(player => player.agent.show(this.playhead.frame));
     this.showZones(state.zones);
-    this.plan.show(state.plan);
+    this.plan.show(state.plan, state.mountHeight);
     if (document.activeElement !== this.seed) this.seed.value = String(state.seed);
     if (state.fault) this.showFault(state.fault);
     this.warning.hidden = !state.warning;
@@ -312,12 +313,7 @@ class LiveView {
   /** Shows the zones, records ShownZone, and what the cameras can see of each. */
   showZones(zones = []) {
     this.zones = zones;
-    const known = zones.filter(({met}) => met !== undefined);
-    this.shares.hidden = !known.length;
-    const texts = known.map(
-      ({name, demand, met}) => `${decimals(100 * met, 1)} % of ${name} (${demand})`,
-    );
-    setText(this.shares, `The cameras can see ${texts.join(', ')}`);
+    this.shares.show(zones);
     this.draw.listDrawn(
       this.runs[0]?.setup.obstacles ?? [],
       zones.filter(({points}) => points.length),

@@ -1,9 +1,13 @@
-// The layer of zones, with the share of each that is met. Rhino runs this file too: see scene.js.
+// The layers of zones, and of their names with the share of each that is met. Rhino runs this file
+// too: see scene.js.
 import {decimals} from './numbers.js';
 import {ring} from './views.js';
 
 const STRIP = 1; // metres, the width of a zone along a line
 const DASHES = [7, 4];
+
+/** Whether a list of zones has one that is drawn; the whole field is not. */
+export const hasOutlines = (zones = []) => zones.some(({points}) => points.length);
 
 /** The zones of a site that is being planned; runs show none. */
 export function zones(context, {zones: shown, map, colours, unit}) {
@@ -23,7 +27,6 @@ export function zones(context, {zones: shown, map, colours, unit}) {
       context.lineWidth = 1.5 * unit;
       context.stroke();
       context.setLineDash([]);
-      label(context, zone, map, colours, unit);
     });
 }
 
@@ -47,22 +50,47 @@ function outline(path, {shape, points}, map) {
   }
 }
 
-function label(context, {name, met, points, facing}, map, colours, unit) {
-  const text = met === undefined ? name : `${name} ${decimals(100 * met, 1)} %`;
-  const middle = list => (Math.min.apply(null, list) + Math.max.apply(null, list)) / 2;
-  const [x, y] = [
-    middle(points.map(point => map.x(point.x))),
-    middle(points.map(point => map.y(point.y))),
-  ];
+/** The names of zones, above what cameras see, each on a plate that no other plate covers. */
+export function zoneNames(context, {zones: shown, map, colours, unit}) {
+  if (!shown) return;
+  const plates = [];
   context.font = `${12 * unit}px sans-serif`;
-  context.textAlign = 'center';
-  context.strokeStyle = colours.paper;
-  context.lineWidth = 3 * unit;
-  context.lineJoin = 'round';
-  context.strokeText(text, x, y);
+  shown
+    .filter(({points}) => points.length)
+    .forEach(({name, met, points, facing}) => {
+      const text = met === undefined ? name : `${name} ${decimals(100 * met, 1)} %`;
+      const plate = freePlate(plates, {
+        x: middle(points.map(point => map.x(point.x))),
+        y: middle(points.map(point => map.y(point.y))),
+        width: context.measureText(text).width + 8 * unit,
+        height: 17 * unit,
+      });
+      plates.push(plate);
+      paintName(context, text, plate, colours, unit);
+      if (facing !== undefined) arrow(context, plate.x, plate.y + 10 * unit, facing, colours, unit);
+    });
+}
+
+const middle = list => (Math.min.apply(null, list) + Math.max.apply(null, list)) / 2;
+
+/** Moves a plate down until it covers no other one. */
+function freePlate(plates, plate) {
+  const covers = other =>
+    Math.abs(other.x - plate.x) < (other.width + plate.width) / 2 &&
+    Math.abs(other.y - plate.y) < plate.height;
+  const covered = plates.find(covers);
+  if (!covered) return plate;
+  return freePlate(plates, Object.assign({}, plate, {y: covered.y + plate.height}));
+}
+
+function paintName(context, text, {x, y, width, height}, colours, unit) {
+  context.globalAlpha = 0.85;
+  context.fillStyle = colours.paper;
+  context.fillRect(x - width / 2, y - height / 2, width, height);
+  context.globalAlpha = 1;
   context.fillStyle = colours.ink;
-  context.fillText(text, x, y);
-  if (facing !== undefined) arrow(context, x, y + 6 * unit, facing, colours, unit);
+  context.textAlign = 'center';
+  context.fillText(text, x, y + 4 * unit);
 }
 
 /** The direction in which faces look that have to be seen. */
