@@ -60,6 +60,9 @@ class NewSitePageTest {
     browser.find("#undo").click();
     browser.until(SETUP + "field.maxX === 20");
 
+    String fieldBox =
+        "return JSON.stringify(document.querySelector('canvas.field').getBoundingClientRect())";
+    Object boxBefore = browser.run(fieldBox);
     choose("shelf", Map.of());
     drag(5, 3.5, 5.8, 9.5);
     browser.until(SETUP + "obstacles?.length === 1");
@@ -85,7 +88,16 @@ class NewSitePageTest {
     browser.find(".planning .plan").click();
     browser.until(SETUP + "cameras.length === 1 && hificamsim.zones[0].met > .5");
     browser.until("return document.querySelector('.planning .stop').hidden");
-    assertTrue(browser.text(".planning .note").startsWith("1 camera, price 410.00"));
+    assertTrue(browser.text(".planning .event").startsWith("1 camera, price 410.00"));
+    assertEquals(boxBefore, browser.run(fieldBox), "stays while the legend and the lists grow");
+    String isShown =
+        "const {top, bottom} = document.querySelector('.planning .event').getBoundingClientRect();"
+            + "return top >= 0 && bottom <= document.querySelector('.side')"
+            + ".getBoundingClientRect().bottom";
+    assertEquals(true, browser.run(isShown));
+    browser.run(
+        "const {height} = hificamsim.plan; height.value = 4; height.dispatchEvent(new"
+            + " Event('change'))");
     for (int width : new int[] {400, 1400}) {
       browser.dark(width == 400);
       browser.size(width, 1000);
@@ -96,6 +108,7 @@ class NewSitePageTest {
 
     Path saved = Files.writeString(folder.resolve("floor.xml"), saved());
     String xml = Files.readString(saved);
+    assertTrue(xml.contains("mount_height=\"4.0\""), xml);
     assertTrue(xml.contains("height=\"1.8\"") && xml.contains("<pillar"), xml);
     assertTrue(xml.contains("floorplan=\"floor.png\"") && xml.contains("facing=\"180.0\""), xml);
     assertEquals(0, Cli.run("validate", saved).exit());

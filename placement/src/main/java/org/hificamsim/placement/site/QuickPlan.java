@@ -62,7 +62,8 @@ record QuickPlan(Catalogue catalogue, Demand demand, List<Point> points, Planner
         Effort.searchOnly(0, ROUNDS, () -> watcher.isStopped() || searched.getAsBoolean());
     SitePlan plan =
         problem.solve(effort, (score, bound) -> improved(score, bound, watcher), Optional.empty());
-    return new Planner.Plan(plan.cameras(), String.join("; ", plan.facts()));
+    List<String> facts = plan.facts();
+    return new Planner.Plan(plan.cameras(), facts.get(0), facts.subList(1, facts.size()));
   }
 
   /** Returns whether seconds have passed since the call. */

@@ -131,22 +131,22 @@ public record SitePlanner(
 
   @Override
   public Plan plan(Scenario site, Detection detection, Request request, Watcher watcher) {
-    List<Point> points = mountPoints(site);
+    List<Point> points = mountPoints(site, request.ceiling());
     return new QuickPlan(catalogue, demand(site, detection), points, request)
         .find(prices.kinds(), watcher);
   }
 
   /** The mount points in random order: if the time is short, those tried lie all over the site. */
   private static List<Point> shuffledMountPoints(Scenario site) {
-    List<Point> points = new ArrayList<>(mountPoints(site));
+    List<Point> points = new ArrayList<>(mountPoints(site, false));
     Collections.shuffle(points, new Random(0));
     return points;
   }
 
-  private static List<Point> mountPoints(Scenario site) {
+  private static List<Point> mountPoints(Scenario site, boolean ceiling) {
     double longerSide = Math.max(site.field().width(), site.field().height());
     MountPoints.Rules rules =
-        new MountPoints.Rules(longerSide / PARTS, MountPoints.CLEARANCE, false, List.of());
+        new MountPoints.Rules(longerSide / PARTS, MountPoints.CLEARANCE, ceiling, List.of());
     return MountPoints.of(site, rules);
   }
 

@@ -136,10 +136,17 @@ public sealed interface Command {
     }
   }
 
-  record Plan(Planner.Goal goal, double amount, boolean keep) implements Command {
+  record MountHeight(double metres) implements Command {
     @Override
     public void execute(LiveSession session) {
-      session.plan(new Planner.Request(goal, amount, keep));
+      session.renew(run -> run.edit(scenario -> scenario.hangAt(metres)));
+    }
+  }
+
+  record Plan(Planner.Goal goal, double amount, boolean keep, boolean ceiling) implements Command {
+    @Override
+    public void execute(LiveSession session) {
+      session.plan(new Planner.Request(goal, amount, keep, ceiling));
     }
   }
 

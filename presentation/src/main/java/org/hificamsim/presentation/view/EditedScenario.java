@@ -9,6 +9,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Ranges;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -27,6 +28,8 @@ final class EditedScenario {
   private static final String ADDED_PREFIX = "added-";
   private static final String ZONE_PREFIX = "zone-";
   private static final int MOST_UNDO_STEPS = 200;
+  private static final double LEAST_MOUNT_HEIGHT = 0.1; // metres
+  private static final double MOST_MOUNT_HEIGHT = 1000;
 
   private final Scenario original;
   private final Deque<Scenario> undoSteps = new ArrayDeque<>();
@@ -214,6 +217,23 @@ final class EditedScenario {
   void scale(Point from, Point to, double metres) {
     double drawn = Math.hypot(to.x() - from.x(), to.y() - from.y());
     apply("", new ScaledSite(metres / drawn).of(current));
+  }
+
+  /**
+   * Hangs all cameras at another height, metres.
+   *
+   * @throws InputException if the scenario gives no height of all cameras, or this one is wrong
+   */
+  void hangAt(double metres) {
+    if (current.mountHeight().isEmpty()) {
+      throw InputException.of("the scenario has no %s, expected one", Scenario.MOUNT_HEIGHT);
+    }
+    Ranges.within("mount_height", metres, LEAST_MOUNT_HEIGHT, MOST_MOUNT_HEIGHT);
+    apply(
+        "",
+        current
+            .with(Scenario.MOUNT_HEIGHT, metres)
+            .withCameras(camera -> camera.without(CameraSpec.Z)));
   }
 
   /**

@@ -39,6 +39,7 @@ public final class LiveSession implements AutoCloseable {
    * @param heat whether a heat map is recorded
    * @param zones with the share of each that cameras can see
    * @param plan of cameras that is being made, or was made last; null if there is none
+   * @param mountHeight of all cameras, metres; null if the scenario gives none
    * @param warning about the edited scenario; may be empty
    */
   private record StateMessage(
@@ -51,6 +52,7 @@ public final class LiveSession implements AutoCloseable {
       @JsonInclude(JsonInclude.Include.NON_DEFAULT) boolean heat,
       @JsonInclude(JsonInclude.Include.NON_EMPTY) List<ShownZone> zones,
       @JsonInclude(JsonInclude.Include.NON_NULL) PlanTask.Message plan,
+      @JsonInclude(JsonInclude.Include.NON_NULL) Double mountHeight,
       @JsonInclude(JsonInclude.Include.NON_EMPTY) String warning) {}
 
   private final LiveRun run;
@@ -261,6 +263,7 @@ public final class LiveSession implements AutoCloseable {
                 run.recordsHeat(),
                 run.zones(),
                 plan.message(),
+                run.scenario().find(Scenario.MOUNT_HEIGHT).orElse(null),
                 Place.printable(run.warning()))));
   }
 

@@ -1,6 +1,7 @@
 package org.hificamsim.presentation.view;
 
 import com.fasterxml.jackson.annotation.JsonInclude;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.hificamsim.core.InputException;
@@ -14,14 +15,24 @@ final class PlanTask implements Planner.Watcher {
    * The state of the plan.
    *
    * @param event what happens, or what the last plan meets
+   * @param facts that say more of the last plan
    * @param share of the work that is done, in [0, 1]
    * @param fault why there is no plan; empty otherwise
    */
   record Message(
       boolean running,
       String event,
+      @JsonInclude(JsonInclude.Include.NON_EMPTY) List<String> facts,
       double share,
-      @JsonInclude(JsonInclude.Include.NON_EMPTY) String fault) {}
+      @JsonInclude(JsonInclude.Include.NON_EMPTY) String fault) {
+    private static Message running(String event, double share) {
+      return new Message(true, event, List.of(), share, "");
+    }
+
+    private static Message failed(String fault) {
+      return new Message(false, "", List.of(), 0, Place.printable(fault));
+    }
+  }
 
   private final Runnable changed;
   private volatile Message message; // null before the first plan
@@ -51,7 +62,7 @@ final class PlanTask implements Planner.Watcher {
       throw new InputException("cameras are being planned, expected to wait or to stop that");
     }
     stopped = false;
-    show(new Message(true, "begins", 0, ""));
+    show(Message.running("begins", 0));
     Parallel.daemons("plan").newThread(() -> plan(planning, use)).start();
   }
 
@@ -60,11 +71,11 @@ final class PlanTask implements Planner.Watcher {
     try {
       Planner.Plan plan = planning.apply(this);
       use.accept(plan);
-      show(new Message(false, plan.summary(), 1, ""));
+      show(new Message(false, plan.claim(), plan.facts(), 1, ""));
     } catch (InputException e) {
-      show(new Message(false, "", 0, Place.printable(e.getMessage())));
+      show(Message.failed(e.getMessage()));
     } catch (RuntimeException | Error e) {
-      show(new Message(false, "", 0, Place.printable(RunFault.describe(e))));
+      show(Message.failed(RunFault.describe(e)));
     }
   }
 
@@ -80,7 +91,7 @@ final class PlanTask implements Planner.Watcher {
 
   @Override
   public void progressed(String event, double share) {
-    show(new Message(true, event, share, ""));
+    show(Message.running(event, share));
   }
 
   private void show(Message shown) {

@@ -29,11 +29,18 @@ public interface Planner {
    *
    * @param amount the number of cameras or the budget; not used to cover everything
    * @param keep whether the cameras that are there stay
+   * @param ceiling whether cameras may hang anywhere on the ceiling, at the height of all cameras
    */
-  record Request(Goal goal, double amount, boolean keep) {}
+  record Request(Goal goal, double amount, boolean keep, boolean ceiling) {}
 
-  /** Cameras for a site, those that stay first, and a sentence that says how good they are. */
-  record Plan(List<CameraSpec> cameras, String summary) {}
+  /**
+   * A plan of cameras for a site.
+   *
+   * @param cameras those that stay first
+   * @param claim the share that they meet, in words
+   * @param facts that say more, such as the bound
+   */
+  record Plan(List<CameraSpec> cameras, String claim, List<String> facts) {}
 
   /** Is told how far a plan is, and may end the search. */
   interface Watcher {

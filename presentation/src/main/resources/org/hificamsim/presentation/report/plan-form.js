@@ -18,6 +18,14 @@ export class PlanForm {
       ...Object.entries(GOALS).map(([value, {text}]) => el('option', {value}, text)),
     );
     this.amount = el('input', {type: 'number', name: 'amount', min: 1, 'aria-label': 'how many'});
+    this.height = el('input', {
+      type: 'number',
+      name: 'mountHeight',
+      step: 'any',
+      onchange: () => send({command: 'mountheight', metres: Number(this.height.value)}),
+    });
+    this.heightLabel = el('label', {}, 'cameras hang at, m ', this.height);
+    this.ceiling = el('input', {type: 'checkbox', name: 'ceiling'});
     this.keep = el('input', {type: 'checkbox', name: 'keep'});
     this.start = el('button', {class: 'plan'}, 'plan the cameras');
     this.stop = el(
@@ -31,7 +39,8 @@ export class PlanForm {
       hidden: true,
       'aria-label': 'progress of the plan',
     });
-    this.event = el('p', {class: 'note', role: 'status'});
+    this.event = el('p', {class: 'event', role: 'status'});
+    this.facts = el('ul', {class: 'note'});
     this.element = el(
       'details',
       {class: 'pose drawing planning'},
@@ -46,12 +55,15 @@ export class PlanForm {
         },
         this.goal,
         this.amount,
+        this.heightLabel,
+        el('label', {}, this.ceiling, ' on the ceiling, too'),
         el('label', {}, this.keep, ' keep those that are there'),
         this.start,
         this.stop,
       ),
       this.bar,
       this.event,
+      this.facts,
     );
     this.choose();
   }
@@ -68,14 +80,24 @@ export class PlanForm {
       goal: this.goal.value,
       amount: Number(this.amount.value),
       keep: this.keep.checked,
+      ceiling: this.ceiling.checked,
     };
   }
 
-  /** Shows the state of the plan: the record Message of PlanTask, or nothing. */
-  show({running = false, event = '', share = 0, fault = ''} = {}) {
+  /**
+   * Shows the state of the plan: the record Message of PlanTask, or nothing.
+   *
+   * @param mountHeight of all cameras, metres; nothing if the site has none
+   */
+  show({running = false, event = '', facts = [], share = 0, fault = ''} = {}, mountHeight) {
+    const hasEnded = this.start.disabled && !running;
     this.start.disabled = running;
     this.stop.hidden = this.bar.hidden = !running;
     this.bar.value = share;
     setText(this.event, fault ? `no plan: ${fault}` : event);
+    this.facts.replaceChildren(...facts.map(fact => el('li', {}, fact)));
+    this.heightLabel.hidden = mountHeight === undefined;
+    if (document.activeElement !== this.height) this.height.value = mountHeight ?? '';
+    if (hasEnded) this.event.scrollIntoView({block: 'nearest'});
   }
 }

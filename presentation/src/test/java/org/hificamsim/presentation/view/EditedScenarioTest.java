@@ -110,4 +110,21 @@ class EditedScenarioTest {
     assertThrows(InputException.class, () -> site.usePlan(planned, List.of(CAMERA)));
     assertEquals("P1", site.current().cameras().get(0).name());
   }
+
+  @Test
+  void hangsAllCamerasAtAnotherHeight() {
+    assertThrows(InputException.class, () -> site.hangAt(4), "the scenario gives none");
+    EditedScenario hall =
+        new EditedScenario(
+            new Scenario("hall", new Field(0, 20, 0, 12))
+                .with(Scenario.MOUNT_HEIGHT, 3.0)
+                .with(Scenario.CAMERAS, List.of(CAMERA.with(CameraSpec.Z, 3.0))));
+    hall.hangAt(4.5);
+    assertEquals(4.5, hall.current().mountHeight().orElseThrow());
+    assertTrue(hall.current().cameras().get(0).z().isEmpty());
+    assertThrows(InputException.class, () -> hall.hangAt(0));
+    assertThrows(InputException.class, () -> hall.hangAt(Double.NaN));
+    hall.undo();
+    assertEquals(3, hall.current().mountHeight().orElseThrow());
+  }
 }

@@ -14,7 +14,8 @@ import org.junit.jupiter.api.Test;
 
 /** Planning in the background. */
 class PlanTaskTest {
-  private static final Planner.Plan PLAN = new Planner.Plan(List.of(), "all is met");
+  private static final Planner.Plan PLAN =
+      new Planner.Plan(List.of(), "all is met", List.of("proven"));
 
   private final CompletableFuture<PlanTask.Message> last = new CompletableFuture<>();
   private final PlanTask task = new PlanTask(this::changed);
@@ -35,7 +36,7 @@ class PlanTaskTest {
     assertNull(task.message());
     CompletableFuture<Planner.Plan> used = new CompletableFuture<>();
     task.start(watcher -> PLAN, used::complete);
-    assertEquals(new PlanTask.Message(false, "all is met", 1, ""), last());
+    assertEquals(new PlanTask.Message(false, "all is met", List.of("proven"), 1, ""), last());
     assertEquals(PLAN, used.get());
   }
 
