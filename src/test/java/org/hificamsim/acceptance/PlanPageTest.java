@@ -48,7 +48,7 @@ class PlanPageTest {
     String text = browser.text("main");
     assertTrue(text.contains("% of the demand is met") && text.contains("by the fixed view"), text);
     assertTrue(
-        text.contains("Cameras, and what if one fails") && text.contains("Seen by no camera"),
+        text.contains("Cameras, and what if one fails") && text.contains("Not seen as asked"),
         text);
     assertEquals(3, browser.findAll("[aria-label^=Cameras] tbody tr").size());
     assertEquals(

@@ -363,7 +363,10 @@ final class PlaceCommand implements Callable<Integer> {
         "score %.2f, bound %.2f, gap %.3f %%, %.1f s",
         plan.score(), plan.bound(), 100 * plan.gap(), plan.seconds());
     if (plan.isProven()) {
-      screen.say("proven: no plan is better");
+      screen.say(
+          "proven of %s and %s: no plan of these is better",
+          Texts.counted(solved.points(), "sample"),
+          Texts.counted(solved.candidates(), "candidate"));
     }
     return 0;
   }

@@ -51,9 +51,10 @@ record PlanReview(Path file, EvaluatedPlan plan) {
         .zones()
         .forEach(zone -> screen.say("  zone %s: %s", zone.name(), met(cover, zone)));
     List<BlindSpot> spots = cover.blindSpots();
-    spots.stream().limit(MAX_ROWS).forEach(spot -> screen.say("  seen by no camera: %s", spot));
+    spots.stream().limit(MAX_ROWS).forEach(spot -> screen.say("  not seen as asked: %s", spot));
     if (spots.size() > MAX_ROWS) {
-      screen.say("  and %d more places", spots.size() - MAX_ROWS);
+      double area = spots.stream().skip(MAX_ROWS).mapToDouble(BlindSpot::area).sum();
+      screen.say("  and %s: %.1f m2", Texts.counted(spots.size() - MAX_ROWS, "smaller spot"), area);
     }
   }
 

@@ -129,16 +129,17 @@ public final class PlanCheck {
     double share = instance.worth(counts) / instance.totalWorth();
     requireSame("share", share);
     PlanArea area = PlanArea.of(demand, sight, cameras, reading);
-    requireSame("share_of_area", area.of(demand));
+    requireSame("share_of_area", area.share());
     List<String> lines = new ArrayList<>();
     lines.add(
         Texts.format(
             "%d cameras meet %.2f %% of the demand, and %.2f %% of its samples",
-            cameras.size(), 100 * (demand.isForArea() ? area.of(demand) : share), 100 * share));
+            cameras.size(), 100 * (demand.isForArea() ? area.share() : share), 100 * share));
     for (int number = 0; number < demand.zones().size(); number++) {
       String name = demand.zones().get(number).name();
       lines.add(
-          Texts.format("zone %s: %.2f %% of its area", name, 100 * area.shares().get(number)));
+          Texts.format(
+              "zone %s: %.2f %% of its area", name, 100 * area.zones().get(number).share()));
     }
     lines.add(
         candidates.isEmpty()

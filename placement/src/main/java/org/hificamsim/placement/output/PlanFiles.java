@@ -167,7 +167,7 @@ public final class PlanFiles {
     json.put("largest_cell", demand.greatestCellWidth());
     json.put("candidates", problem.candidates().list().size());
     json.put("share", cover.share());
-    json.put("share_of_area", cover.area().of(demand));
+    json.put("share_of_area", cover.area().share());
     if (plan.shares().unrefined().isPresent()) {
       double unrefined = plan.shares().unrefined().get();
       json.put("share_unrefined", unrefined);
@@ -189,7 +189,7 @@ public final class PlanFiles {
       zoneJson.put("threshold", zone.detection().threshold()).put("k", zone.k());
       zoneJson.put("share", demand.share(zone, counts));
       zoneJson.put("share_whole", demand.shareByK(zone, counts));
-      zoneJson.put("share_of_area", cover.area().shares().get(number));
+      zoneJson.put("share_of_area", cover.area().zones().get(number).share());
     }
     cover.blindSpots().forEach(json.putArray("blind_spots")::addPOJO);
     return json;

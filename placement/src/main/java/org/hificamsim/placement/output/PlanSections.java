@@ -15,6 +15,7 @@ import org.hificamsim.placement.site.BlindSpot;
 import org.hificamsim.placement.site.CameraPlan;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
+import org.hificamsim.placement.site.PlanArea;
 
 /** The tables of a plan's page and document, in words for people. */
 final class PlanSections {
@@ -72,10 +73,9 @@ final class PlanSections {
                         zone.name(),
                         demanded(zone),
                         Integer.toString(zone.k()),
-                        Integer.toString(zone.count()),
+                        squareMetres(measured(zone).squareMetres()),
                         percent(plan.cover().claimedShare(zone)),
-                        percent(demand.shareByK(zone, counts)),
-                        percent(unseenShare(zone, counts))))
+                        squareMetres(notMet(zone))))
             .toList();
     return new Section(
         "Zones",
@@ -83,11 +83,26 @@ final class PlanSections {
             "zone",
             "asks for",
             "k",
-            "cells",
+            "area, m²",
             demand.isForArea() ? "met, of the area" : "met",
-            "cells met by k",
-            "cells unseen"),
+            "not seen as asked, m²"),
         rows);
+  }
+
+  private PlanArea.MeasuredZone measured(ZoneDemand zone) {
+    return plan.cover().area().zones().get(demand.zones().indexOf(zone));
+  }
+
+  /** The area of all blind spots of a zone, square metres. */
+  private double notMet(ZoneDemand zone) {
+    return plan.cover().blindSpots().stream()
+        .filter(spot -> spot.zone().equals(zone.name()))
+        .mapToDouble(BlindSpot::area)
+        .sum();
+  }
+
+  private static String squareMetres(double area) {
+    return Texts.format("%.1f", area);
   }
 
   /** The level that a zone asks for, and what it says of faces. */
@@ -180,7 +195,7 @@ final class PlanSections {
                 List.of(spots.size() - MAX_SPOTS + " more", Texts.format("%.1f", restArea), "", ""))
             : Stream.of();
     return new Section(
-        "Seen by no camera",
+        "Not seen as asked",
         List.of("zone", "square metres", "around x, m", "y, m"),
         Stream.concat(
                 spots.stream()

@@ -6,69 +6,63 @@ import java.util.BitSet;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.List;
+import java.util.stream.Stream;
 import org.hificamsim.core.Texts;
-import org.hificamsim.placement.site.Demand.DemandPoint;
-import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.runs.cells.FieldCells;
 
 /**
- * A connected part of a zone that no camera covers.
+ * A connected part of a zone that is not seen as the zone demands. All blind spots of a zone are
+ * together the share that is not met.
  *
- * @param area square metres
+ * @param area square metres; where some of several cameras see, a part of the area counts
  * @param x of its centre, metres
  * @param y of its centre, metres
  */
 public record BlindSpot(String zone, double area, double x, double y) {
-  /** Returns all blind spots, the largest first. */
-  static List<BlindSpot> of(Demand demand, int[] counts) {
-    List<BlindSpot> spots = new ArrayList<>();
-    for (ZoneDemand zone : demand.zones()) {
-      addSpots(demand, counts, zone, spots);
-    }
-    spots.sort(Comparator.comparingDouble(spot -> -spot.area));
-    return List.copyOf(spots);
-  }
-
-  private static void addSpots(
-      Demand demand, int[] counts, ZoneDemand zone, List<BlindSpot> spots) {
-    FieldCells cells = demand.cells(zone);
-    int[] pointsByCell = demand.pointsByCell(zone, cells);
+  /**
+   * Returns all blind spots of a zone, the largest first.
+   *
+   * @param missing by cell, the part of the demand that is not met, in [0, 1]
+   */
+  static List<BlindSpot> of(String zone, FieldCells cells, double[] missing) {
     BitSet blindCells = new BitSet();
-    for (int cell = 0; cell < pointsByCell.length; cell++) {
-      blindCells.set(cell, pointsByCell[cell] >= 0 && counts[pointsByCell[cell]] == 0);
+    for (int cell = 0; cell < missing.length; cell++) {
+      blindCells.set(cell, missing[cell] > 0);
     }
+    List<BlindSpot> spots = new ArrayList<>();
     while (!blindCells.isEmpty()) {
-      List<DemandPoint> points =
-          removeFirstPart(blindCells, cells.columns()).stream()
-              .map(cell -> demand.points().get(pointsByCell[cell]))
-              .toList();
-      spots.add(
-          new BlindSpot(
-              zone.name(),
-              points.size() * cells.width() * cells.height(),
-              points.stream().mapToDouble(DemandPoint::x).average().orElseThrow(),
-              points.stream().mapToDouble(DemandPoint::y).average().orElseThrow()));
+      spots.add(spot(zone, cells, missing, removeFirstPart(blindCells, cells)));
     }
+    return largestFirst(spots.stream());
   }
 
-  /** Removes the first cell and all that are connected with it, and returns them. */
-  private static List<Integer> removeFirstPart(BitSet cells, int columns) {
+  static List<BlindSpot> largestFirst(Stream<BlindSpot> spots) {
+    return spots.sorted(Comparator.comparingDouble(spot -> -spot.area)).toList();
+  }
+
+  private static BlindSpot spot(
+      String zone, FieldCells cells, double[] missing, List<Integer> part) {
+    return new BlindSpot(
+        zone,
+        part.stream().mapToDouble(cell -> missing[cell]).sum() * cells.width() * cells.height(),
+        part.stream().mapToDouble(cells::x).average().orElseThrow(),
+        part.stream().mapToDouble(cells::y).average().orElseThrow());
+  }
+
+  /** Removes the first cell and all that touch it, also at a corner, and returns them. */
+  private static List<Integer> removeFirstPart(BitSet blindCells, FieldCells cells) {
     List<Integer> part = new ArrayList<>();
-    Deque<Integer> waiting = new ArrayDeque<>(List.of(cells.nextSetBit(0)));
-    cells.clear(waiting.peek());
+    Deque<Integer> waiting = new ArrayDeque<>(List.of(blindCells.nextSetBit(0)));
+    blindCells.clear(waiting.peek());
     while (!waiting.isEmpty()) {
       int cell = waiting.pop();
       part.add(cell);
-      int column = cell % columns;
-      int[] neighbours = {
-        column > 0 ? cell - 1 : -1,
-        column < columns - 1 ? cell + 1 : -1,
-        cell - columns,
-        cell + columns
-      };
-      for (int neighbour : neighbours) {
-        if (neighbour >= 0 && cells.get(neighbour)) {
-          cells.clear(neighbour);
+      for (int side = 0; side < 9; side++) {
+        int column = cell % cells.columns() + side % 3 - 1;
+        int neighbour = cell + (side / 3 - 1) * cells.columns() + side % 3 - 1;
+        boolean isInRow = column >= 0 && column < cells.columns();
+        if (isInRow && neighbour >= 0 && blindCells.get(neighbour)) {
+          blindCells.clear(neighbour);
           waiting.push(neighbour);
         }
       }

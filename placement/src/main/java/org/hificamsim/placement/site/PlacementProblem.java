@@ -276,7 +276,7 @@ public record PlacementProblem(
   private double shareOfSite() {
     List<CameraSpec> cameras = demand().site().cameras();
     return demand().isForArea()
-        ? PlanArea.of(demand(), sight, cameras, request.reading).of(demand())
+        ? PlanArea.of(demand(), sight, cameras, request.reading).share()
         : share(counts(sight, request, cameras));
   }
 

@@ -10,10 +10,19 @@ import org.hificamsim.runs.cells.ZoneArea;
 /**
  * What cameras see of the area of each zone. The search covers samples; between these less may be
  * seen, so a plan's claim is of the area.
- *
- * @param shares of each zone's area that is seen as the zone demands, in [0, 1]
  */
-public record PlanArea(List<Double> shares) {
+public record PlanArea(List<MeasuredZone> zones) {
+  /**
+   * A zone that was measured.
+   *
+   * @param share that is seen as the zone demands, in [0, 1]; NaN if the zone has no free area
+   * @param squareMetres its area outside obstacles
+   * @param weight of the zone among all, as {@code run} weighs it
+   * @param blindSpots where something is missing, the largest first
+   */
+  public record MeasuredZone(
+      double share, double squareMetres, double weight, List<BlindSpot> blindSpots) {}
+
   /** Measures the cameras of a plan. */
   public static PlanArea of(
       Demand demand, PointSight sight, List<CameraSpec> cameras, CoverageReading reading) {
@@ -32,27 +41,38 @@ public record PlanArea(List<Double> shares) {
       CoverageReading reading,
       Runnable measured) {
     NetworkView network = sight.network(cameras);
-    List<Double> shares = new ArrayList<>();
+    List<MeasuredZone> zones = new ArrayList<>();
     for (ZoneDemand zone : demand.zones()) {
-      shares.add(share(demand.area(zone), network, reading));
+      zones.add(measure(zone.name(), demand.area(zone), network, reading));
       measured.run();
     }
-    return new PlanArea(List.copyOf(shares));
+    return new PlanArea(List.copyOf(zones));
   }
 
-  private static double share(ZoneArea area, NetworkView network, CoverageReading reading) {
-    return reading == CoverageReading.FIXED ? area.met(network) : area.metByAnyView(network);
+  private static MeasuredZone measure(
+      String name, ZoneArea area, NetworkView network, CoverageReading reading) {
+    double share =
+        reading == CoverageReading.FIXED ? area.met(network) : area.metByAnyView(network);
+    return new MeasuredZone(
+        share,
+        area.squareMetres(),
+        area.weight(),
+        BlindSpot.of(name, area.cells(), area.missing()));
   }
 
-  /** The mean of the zones' shares, by their weights in a demand. */
-  public double of(Demand demand) {
+  /** The mean of the zones' shares, by their weights. */
+  public double share() {
     double met = 0;
     double total = 0;
-    for (int number = 0; number < shares.size(); number++) {
-      ZoneDemand zone = demand.zones().get(number);
-      met += demand.weight(zone) * (zone.count() == 0 ? 0 : shares.get(number));
-      total += demand.weight(zone);
+    for (MeasuredZone zone : zones) {
+      met += zone.weight > 0 ? zone.weight * zone.share : 0;
+      total += zone.weight;
     }
     return met / total;
+  }
+
+  /** The blind spots of all zones, the largest first. */
+  List<BlindSpot> blindSpots() {
+    return BlindSpot.largestFirst(zones.stream().flatMap(zone -> zone.blindSpots.stream()));
   }
 }

@@ -1,10 +1,12 @@
 package org.hificamsim.placement.site;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
+import org.hificamsim.runs.cells.FieldCells;
 
 /**
  * What cameras cover of a demand.
@@ -73,13 +75,13 @@ public record PlanCover(Demand demand, List<CameraSpec> cameras, int[][] covered
 
   /** The share that is claimed to be met: of the area, or of where targets are. */
   public double claimedShare() {
-    return demand.isForArea() ? area.of(demand) : share();
+    return demand.isForArea() ? area.share() : share();
   }
 
   /** The share of a zone that is claimed to be met. */
   public double claimedShare(ZoneDemand zone) {
     return demand.isForArea()
-        ? area.shares().get(demand.zones().indexOf(zone))
+        ? area.zones().get(demand.zones().indexOf(zone)).share()
         : demand.share(zone, counts());
   }
 
@@ -88,8 +90,26 @@ public record PlanCover(Demand demand, List<CameraSpec> cameras, int[][] covered
     return cameras.stream().mapToDouble(CameraSpec::price).sum();
   }
 
-  /** Returns the connected parts of zones that no camera covers, the largest first. */
+  /**
+   * Returns the connected parts of zones that are not seen as demanded, the largest first: what the
+   * claimed shares leave.
+   */
   public List<BlindSpot> blindSpots() {
-    return BlindSpot.of(demand, counts());
+    if (demand.isForArea()) {
+      return area.blindSpots();
+    }
+    int[] counts = counts();
+    return BlindSpot.largestFirst(
+        demand.zones().stream().flatMap(zone -> blindCells(zone, counts).stream()));
+  }
+
+  /** Returns the parts of a zone where targets are that are not seen as demanded. */
+  private List<BlindSpot> blindCells(ZoneDemand zone, int[] counts) {
+    FieldCells cells = demand.cells(zone);
+    double[] missing =
+        Arrays.stream(demand.pointsByCell(zone, cells))
+            .mapToDouble(point -> point < 0 ? 0 : 1 - Math.min(1, 1.0 * counts[point] / zone.k()))
+            .toArray();
+    return BlindSpot.of(zone.name(), cells, missing);
   }
 }

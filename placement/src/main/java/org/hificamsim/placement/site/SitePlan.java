@@ -86,12 +86,7 @@ public record SitePlan(
           Texts.format("no plan of these candidates meets more than %.2f %%", 100 * shares.bound)
               + gapFact(1 - found / shares.bound));
     }
-    if (coverPlan.isProven()) {
-      facts.add(
-          problem.isCutShort()
-              ? "proven for the places that cameras looked from: no plan of these is better"
-              : "proven: no plan of these candidates is better");
-    }
+    provenOf().ifPresent(these -> facts.add("proven of " + these + ": no plan of these is better"));
     if (problem.isCutShort()) {
       facts.add(
           Texts.format(
@@ -106,6 +101,23 @@ public record SitePlan(
               Texts.counted(before, "camera"), 100 * shares.ofSite));
     }
     return facts;
+  }
+
+  /**
+   * Of what it is proven that no plan is better, in words: of samples and candidates, not of the
+   * area and of all places. Empty if it is not proven.
+   */
+  public Optional<String> provenOf() {
+    if (!coverPlan.isProven()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        Texts.format(
+            "%s and %s at %s%s",
+            Texts.counted(demand().points().size(), "sample"),
+            Texts.counted(problem.candidates().list().size(), "candidate"),
+            Texts.counted(problem.candidates().places(), "place"),
+            shares.unrefined.isEmpty() ? "" : ", before refinement"));
   }
 
   private String keptFact() {

@@ -91,9 +91,19 @@ public final class ZoneArea {
     return freeCells.length == 0;
   }
 
+  /** The area of the zone outside obstacles, square metres. */
+  public double squareMetres() {
+    return freeCells.length * views.cells().width() * views.cells().height();
+  }
+
   /** The weight of the zone: its attribute times its free area in square metres. */
-  double weight() {
-    return zone.weight() * freeCells.length * views.cells().width() * views.cells().height();
+  public double weight() {
+    return zone.weight() * squareMetres();
+  }
+
+  /** The raster on which the zone is measured. */
+  public FieldCells cells() {
+    return views.cells();
   }
 
   /** Forgets what cameras see, because they may have been moved. */
@@ -109,6 +119,22 @@ public final class ZoneArea {
   /** The share that is seen as demanded if each camera sees what any of its views sees. */
   public double metByAnyView(NetworkView network) {
     return share(views.inAnyView(network));
+  }
+
+  /**
+   * By cell of the raster, what is missing there of what was measured last, in [0, 1]; 0 where the
+   * zone demands nothing.
+   */
+  public double[] missing() {
+    double[] missing = new double[cells().count()];
+    for (int cell : freeCells) {
+      missing[cell] = 1 - met(cell);
+    }
+    return missing;
+  }
+
+  private double met(int cell) {
+    return Math.min(1, camerasByCell[cell] / zone.k());
   }
 
   private double share(ViewCells.Seen[] seenByCamera) {
@@ -128,7 +154,7 @@ public final class ZoneArea {
     }
     double met = 0;
     for (int cell : freeCells) {
-      met += Math.min(1, camerasByCell[cell] / zone.k());
+      met += met(cell);
     }
     return met / freeCells.length;
   }
