@@ -267,12 +267,18 @@ class PlaceCommandTest extends RoomsTest {
     Path scp = Files.writeString(folder.resolve("scp.txt"), "3 4\n1 1 1 3\n2 1 4\n2 2 4\n2\n3 4\n");
     Cli solved = Cli.run("place", "--instance", scp);
     assertEquals(0, solved.exit(), solved.err());
+    assertTrue(
+        solved.out().contains("proven of 3 samples and 4 candidates: no plan of these is better"),
+        solved.out());
     assertTrue(solved.out().contains("score 3.00, bound 3.00, gap 0.000 %"), solved.out());
     Path plan = folder.resolve("plan");
     for (String form : new String[] {"scp", "candidates"}) {
       place(site(WALL, ""), "--cover --catalogue site --form " + form + " --out " + plan);
       Cli solvedAgain =
           Cli.run("place", "--instance", plan.resolve("instance.txt"), "--form", form);
+      assertTrue(
+          Files.readString(plan.resolve("summary.json"))
+              .matches("(?s).*\"proven_of\" : \"[0-9]+ samples and [0-9]+ candidates? at .*"));
       String price = "\"price\" : " + solvedAgain.out().replaceAll("(?s).*price ([0-9]+).*", "$1");
       assertTrue(Files.readString(plan.resolve("summary.json")).contains(price), solvedAgain.out());
     }

@@ -180,6 +180,7 @@ public final class PlanFiles {
     json.put("bound_of_multipliers", coverPlan.multiplierBound().value());
     json.put("gap", coverPlan.gap());
     json.put("proven", coverPlan.isProven());
+    plan.provenOf().ifPresent(these -> json.put("proven_of", these));
     json.put("share_of_site", plan.shares().ofSite());
     ArrayNode zones = json.putArray("zones");
     for (int number = 0; number < demand.zones().size(); number++) {
