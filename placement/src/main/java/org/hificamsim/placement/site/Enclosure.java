@@ -18,7 +18,7 @@ import org.locationtech.jts.operation.union.UnaryUnionOp;
  */
 final class Enclosure {
   /** The width of the widest entrance, metres. */
-  private static final double MAX_ENTRANCE = 6;
+  static final double MAX_ENTRANCE = 6;
 
   /** How far a corner of a buffer is from the circle that it stands for, and more, metres. */
   private static final double ROUNDING = 0.02;

@@ -135,8 +135,13 @@ public final class MountPoints {
     for (int i = 0; i < corners.size(); i++) {
       Point from = corners.get(i);
       Point to = corners.get((i + 1) % corners.size());
-      addAlong(from, to, isEndOfWall(corners, i) ? MAX_DOOR : slot());
+      addAlong(from, to, isEndOfWall(corners, i) ? widestDoor() : slot());
     }
+  }
+
+  /** The width of the widest door, metres: in a building, of its widest entrance. */
+  private double widestDoor() {
+    return building.isPresent() ? Enclosure.MAX_ENTRANCE : MAX_DOOR;
   }
 
   /** Whether an edge is the end of a thick wall, as at a door. */

@@ -21,6 +21,7 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class MountPointsTest {
@@ -121,6 +122,29 @@ class MountPointsTest {
     List<Point> outside =
         points(site("", walls, "<zone name=\"yard\" points=\"4,0 16,1.5\"/>"), false);
     assertTrue(anyIn(outside, 0, 0, 20, 1));
+  }
+
+  /** The same building with walls that are as thick as they are drawn. */
+  @ParameterizedTest
+  @CsvSource({"1, 0.1", "3, 0.1", "3, 0.3", "5, 0.3"})
+  void leavesEntranceBetweenThickWallsFree(double width, double thickness) throws IOException {
+    double right = 8 + width;
+    String walls =
+        thickWall(2, 2, 8, 2 + thickness)
+            + thickWall(right, 2, 18, 2 + thickness)
+            + thickWall(18 - thickness, 2, 18, 18)
+            + thickWall(2, 18 - thickness, 18, 18)
+            + thickWall(2, 2, 2 + thickness, 18);
+    List<Point> inside =
+        points(site("", walls, "<zone name=\"hall\" points=\"4,4 16,16\"/>"), false);
+    assertFalse(anyIn(inside, 8, 1.5, right, 2.1 + thickness));
+    assertFalse(inside.stream().anyMatch(point -> point.y() < 2 || point.y() > 18));
+    assertTrue(anyIn(inside, 5, 2, 8, 3) && anyIn(inside, 17, 5, 18, 15));
+  }
+
+  private static String thickWall(double x1, double y1, double x2, double y2) {
+    return Texts.format(
+        "<polygon points=\"%1$s,%2$s %3$s,%2$s %3$s,%4$s %1$s,%4$s\"/>", x1, y1, x2, y2);
   }
 
   @Test
