@@ -51,6 +51,12 @@ class PlaceReviewTest extends RoomsTest {
     for (String file : List.of("plan.pdf", "plan.svg", "levels.svg", "plan.dxf", "plan.xml")) {
       assertTrue(Files.size(out.resolve(file)) > 500, file);
     }
+    Path whole = folder.resolve("whole");
+    Cli.run("place", "--evaluate", plan, "--out", whole);
+    assertEquals(
+        Files.readString(plan.resolve("order.csv")),
+        Files.readString(whole.resolve("order.csv")),
+        "the products that were planned, not one for each angle");
     Cli compared = Cli.run("place", "--compare", plan, edited, "--out", out);
     assertEquals(2, compared.exit());
     assertTrue(compared.err().contains("--out writes the documents of one plan"), compared.err());

@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Point;
@@ -35,6 +36,8 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
   static final int HEADING_STEP = 15;
 
   /** The number of mount points from which cameras look in any case. */
+  private static final Pattern SET_ANGLE = Pattern.compile(" at [0-9.]+ degrees$");
+
   private static final int MIN_PLACES = 8;
 
   private static final double GOLDEN_RATIO = (Math.sqrt(5) - 1) / 2;
@@ -245,6 +248,11 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
                   new Candidate(scout.kind, optics, scout.mount.turnedBy(heading)),
                   PointSight.union(inReach));
             });
+  }
+
+  /** The name of the product whose lens {@link #atLevel} has set; of another lens, its own name. */
+  static String productOf(OpticsSpec optics) {
+    return SET_ANGLE.matcher(optics.name()).replaceFirst("");
   }
 
   /** Returns a lens that stays at one of its levels. */

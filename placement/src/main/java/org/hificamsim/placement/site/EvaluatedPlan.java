@@ -3,7 +3,6 @@ package org.hificamsim.placement.site;
 import java.util.List;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.spec.OpticsSpec;
 
 /** The cameras of a scenario as they are, however they were planned. */
 public record EvaluatedPlan(PlanCover cover, CoverageReading reading) implements CameraPlan {
@@ -18,7 +17,8 @@ public record EvaluatedPlan(PlanCover cover, CoverageReading reading) implements
         .map(
             camera ->
                 new Product(
-                    camera.optics().map(OpticsSpec::name).orElse(camera.name()), camera.price()))
+                    camera.optics().map(Candidates::productOf).orElse(camera.name()),
+                    camera.price()))
         .toList();
   }
 
