@@ -73,7 +73,8 @@ final class PlanSheet {
     this.detectionLevels =
         CellClasses.levels(plan, catalogue)
             .map(classes -> new PlanDrawing(plan, classes, List.of(), content.floor));
-    this.curve = points.isEmpty() ? Optional.empty() : Optional.of(curve(points));
+    this.curve =
+        points.isEmpty() ? Optional.empty() : Optional.of(curve(points, content.title.currency()));
     this.sections = new PlanSections(plan, content.title.currency()).sections();
   }
 
@@ -86,17 +87,19 @@ final class PlanSheet {
     return CellClasses.asksForTwoStandards(plan) ? Optional.of(TWO_STANDARDS) : Optional.empty();
   }
 
-  private static Figure curve(List<CurvePoint> points) {
-    double[] cameras = points.stream().mapToDouble(CurvePoint::cameras).toArray();
+  /** Draws the share over the price; over the number of cameras where a plan is for a number. */
+  private static Figure curve(List<CurvePoint> points, String currency) {
+    boolean isByNumber = points.stream().allMatch(point -> point.price() == point.cameras());
+    double[] prices = points.stream().mapToDouble(CurvePoint::price).toArray();
     double[] shares = points.stream().mapToDouble(point -> 100 * point.share()).toArray();
     double[] bounds = points.stream().mapToDouble(point -> 100 * point.bound()).toArray();
     double top = Math.max(shares[shares.length - 1], bounds[bounds.length - 1]);
     XyPanel panel =
-        new XyPanel("", "new cameras", "% of the demand")
-            .x(0, Math.max(1, cameras[cameras.length - 1]))
+        new XyPanel("", isByNumber ? "new cameras" : "price, " + currency, "% of the samples")
+            .x(0, Math.max(1, prices[prices.length - 1]))
             .y(0, Math.min(100, 10 * Math.ceil(0.1 + top / 10)))
-            .straight(new Curve(cameras, bounds), Palette.GREY)
-            .straight(new Curve(cameras, shares), Palette.BLUE);
+            .straight(new Curve(prices, bounds), Palette.GREY)
+            .straight(new Curve(prices, shares), Palette.BLUE);
     List<LegendEntry> legend =
         List.of(
             new LegendEntry("met by the plan", Palette.BLUE, LegendEntry.Mark.LINE),
@@ -130,8 +133,7 @@ final class PlanSheet {
     if (detectionLevels.isPresent()) {
       pages.picture("Levels reached", detectionLevels.get(), LEVELS_HEIGHT);
     }
-    curve.ifPresent(
-        figure -> pages.picture("Coverage over the number of cameras", figure, CURVE_HEIGHT));
+    curve.ifPresent(figure -> pages.picture("What each camera adds", figure, CURVE_HEIGHT));
     return pages.pages();
   }
 

@@ -68,10 +68,11 @@ export async function planPage(root, data) {
   if (data.curve) {
     root.append(
       card(
-        'Coverage over the number of cameras',
+        'What each camera adds',
         picture(
           data.curve,
-          'The share that is met by the first cameras, and the most that any plan can meet',
+          'The share of the samples that the first cameras meet, over their price or number, ' +
+            'and the most that any plan can meet',
         ),
       ),
     );
