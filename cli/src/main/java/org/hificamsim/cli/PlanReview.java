@@ -51,10 +51,12 @@ record PlanReview(Path file, EvaluatedPlan plan) {
         .zones()
         .forEach(zone -> screen.say("  zone %s: %s", zone.name(), met(cover, zone)));
     List<BlindSpot> spots = cover.blindSpots();
-    spots.stream().limit(MAX_ROWS).forEach(spot -> screen.say("  not seen as asked: %s", spot));
-    if (spots.size() > MAX_ROWS) {
-      double area = spots.stream().skip(MAX_ROWS).mapToDouble(BlindSpot::area).sum();
-      screen.say("  and %s: %.1f m2", Texts.counted(spots.size() - MAX_ROWS, "smaller spot"), area);
+    List<BlindSpot> shown = BlindSpot.shown(spots, MAX_ROWS);
+    shown.forEach(spot -> screen.say("  not seen as asked: %s", spot));
+    int more = spots.size() - shown.size();
+    if (more > 0) {
+      double area = spots.stream().skip(shown.size()).mapToDouble(BlindSpot::area).sum();
+      screen.say("  and %s: %.1f m2", Texts.counted(more, "smaller spot"), area);
     }
   }
 

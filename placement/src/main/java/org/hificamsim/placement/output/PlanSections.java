@@ -188,18 +188,19 @@ final class PlanSections {
 
   private Section blindSpotTable() {
     List<BlindSpot> spots = plan.cover().blindSpots();
-    double restArea = spots.stream().skip(MAX_SPOTS).mapToDouble(BlindSpot::area).sum();
+    List<BlindSpot> shown = BlindSpot.shown(spots, MAX_SPOTS);
+    double restArea = spots.stream().skip(shown.size()).mapToDouble(BlindSpot::area).sum();
     Stream<List<String>> rest =
         restArea > 0
             ? Stream.of(
-                List.of(spots.size() - MAX_SPOTS + " more", Texts.format("%.1f", restArea), "", ""))
+                List.of(
+                    spots.size() - shown.size() + " more", Texts.format("%.1f", restArea), "", ""))
             : Stream.of();
     return new Section(
         "Not seen as asked",
         List.of("zone", "square metres", "around x, m", "y, m"),
         Stream.concat(
-                spots.stream()
-                    .limit(MAX_SPOTS)
+                shown.stream()
                     .map(
                         spot ->
                             List.of(

@@ -19,6 +19,8 @@ import org.hificamsim.runs.cells.FieldCells;
  * @param y of its centre, metres
  */
 public record BlindSpot(String zone, double area, double x, double y) {
+  private static final double LEAST_SHOWN_AREA = 0.05; // square metres
+
   /**
    * Returns all blind spots of a zone, the largest first.
    *
@@ -34,6 +36,11 @@ public record BlindSpot(String zone, double area, double x, double y) {
       spots.add(spot(zone, cells, missing, removeFirstPart(blindCells, cells)));
     }
     return largestFirst(spots.stream());
+  }
+
+  /** Returns the largest of some spots that are in order; none whose area is 0.0 as it is shown. */
+  public static List<BlindSpot> shown(List<BlindSpot> spots, int most) {
+    return spots.stream().filter(spot -> spot.area >= LEAST_SHOWN_AREA).limit(most).toList();
   }
 
   static List<BlindSpot> largestFirst(Stream<BlindSpot> spots) {

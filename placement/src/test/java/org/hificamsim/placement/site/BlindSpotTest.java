@@ -32,6 +32,8 @@ class BlindSpotTest {
             new BlindSpot("till", 2, 7, 1)),
         spots,
         "the first is joined at a corner; the end of a row and the next row are apart");
+    assertEquals(spots.subList(0, 2), BlindSpot.shown(spots, 2));
+    assertEquals(List.of(), BlindSpot.shown(List.of(new BlindSpot("till", 0.04, 1, 1)), 2));
   }
 
   @Test
