@@ -14,7 +14,7 @@ BUILT = HERE / "build" / "wheel" / "jars"
 
 
 def jars() -> pathlib.Path:
-    """The folder of jars, built if need be."""
+    """Returns the folder of jars, which are built if necessary."""
     given = os.environ.get("HIFICAMSIM_JARS") or (HERE / "jars" if (HERE / "jars").exists() else None)
     if given:
         return pathlib.Path(given)

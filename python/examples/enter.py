@@ -1,4 +1,4 @@
-"""A policy of one's own enters the benchmark: a camera stays where it detects somebody, and else looks elsewhere.
+"""Enters a policy of your own in the benchmark: a camera stays where it detects somebody, and otherwise looks elsewhere.
 
 python enter.py out/mine; hificamsim benchmark check out/mine; hificamsim benchmark leaderboard out/mine --out out/board
 """
@@ -16,8 +16,8 @@ class Stay:
 
     def __call__(self, observations, masks):
         others = np.array([self.random.choice(np.flatnonzero(mask)) for mask in masks])
-        bored = observations[:, 13] == 0  # the share of the targets that the camera detected in the last step
-        self.views = others if self.views is None else np.where(bored, others, self.views)
+        detects_nothing = observations[:, 13] == 0  # the share of targets that the camera detected in the last step
+        self.views = others if self.views is None else np.where(detects_nothing, others, self.views)
         return self.views
 
 

@@ -1,8 +1,8 @@
-"""What a trained policy does, computed in NumPy: choices of the highest value, step by step.
+"""Computes the choices of a trained policy in NumPy: the views of the highest value, step by step.
 
     python greedy.py trained/border.onnx border --detection ttpf:task=recognise > choices.csv
 
-``hificamsim run --policy onnx:FILE`` makes the same ones.
+``hificamsim run --policy onnx:FILE`` makes the same choices.
 """
 
 from __future__ import annotations
@@ -21,46 +21,46 @@ import hificamsim
 
 
 def weights(file: str | os.PathLike[str]) -> list[Any]:
-    """What ``onnx_file.write`` was given."""
-    kept = {one.name: numpy_helper.to_array(one) for one in onnx.load(os.fspath(file)).graph.initializer}
-    return [kept[f"{kind}{i}"] for i in range(len(kept) // 2) for kind in ("weights", "offsets")]
+    """Reads the weights that ``onnx_file.write`` has written."""
+    arrays = {array.name: numpy_helper.to_array(array) for array in onnx.load(os.fspath(file)).graph.initializer}
+    return [arrays[f"{kind}{i}"] for i in range(len(arrays) // 2) for kind in ("weights", "offsets")]
 
 
 def values(layers: list[Any], observations: Any) -> Any:
-    """The value of each choice."""
-    found = observations
+    """Computes the value of each choice."""
+    outputs = observations
     for i in range(0, len(layers), 2):
-        found = found @ layers[i] + layers[i + 1]
-        found = np.maximum(found, 0) if i + 2 < len(layers) else found
-    return found
+        outputs = outputs @ layers[i] + layers[i + 1]
+        outputs = np.maximum(outputs, 0) if i + 2 < len(layers) else outputs
+    return outputs
 
 
 def choices(file: str | os.PathLike[str], scenario: str, detection: str, *, seed: int, steps: int) -> list[list[int]]:
-    """The view of each camera, for each step of the run of a seed."""
+    """Plays the run of a seed, and returns the view of each camera in each step."""
     layers = weights(file)
     env = hificamsim.vector_env(scenario, per="camera", detection=detection, steps=steps)
     try:
         observations, infos = env.reset(seed=seed)
-        made = []
+        views = []
         for _ in range(steps):
             allowed = np.where(infos["action_mask"] == 1, values(layers, observations), -np.inf)
-            made.append(allowed.argmax(-1).tolist())
-            observations, _, _, _, infos = env.step(made[-1])
-        return made
+            views.append(allowed.argmax(-1).tolist())
+            observations, _, _, _, infos = env.step(views[-1])
+        return views
     finally:
         env.close()
 
 
 def main() -> None:
-    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("file")
-    options.add_argument("scenario")
-    options.add_argument("--detection", default="hifi:orb-lin")
-    options.add_argument("--seed", type=int, default=100)
-    options.add_argument("--steps", type=int, default=100)
-    told = options.parse_args()
-    made = choices(told.file, told.scenario, told.detection, seed=told.seed, steps=told.steps)
-    csv.writer(sys.stdout, lineterminator="\n").writerows(made)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("file")
+    parser.add_argument("scenario")
+    parser.add_argument("--detection", default="hifi:orb-lin")
+    parser.add_argument("--seed", type=int, default=100)
+    parser.add_argument("--steps", type=int, default=100)
+    options = parser.parse_args()
+    views = choices(options.file, options.scenario, options.detection, seed=options.seed, steps=options.steps)
+    csv.writer(sys.stdout, lineterminator="\n").writerows(views)
 
 
 if __name__ == "__main__":

@@ -1,13 +1,13 @@
-"""Imitation of ``cooperative``: one network learns which view its cameras choose, on all tasks at once.
+"""Imitates ``cooperative``: one network learns which views its cameras choose, on all tasks at once.
 
     python imitate.py --rounds 3 --out nets/imitation
     hificamsim benchmark run --policy onnx:nets/imitation/policy.onnx --name imitation --out out/imitation
 
-DAgger (Ross et al. 2011, https://arxiv.org/abs/1011.0686): the expert plays the first round and the network all others,
-in which the expert says what it would do. Each round plays new episodes of every task, with training seeds, and learns
-from all so far by the cross entropy of the expert's views, at a rate that falls to nothing; every task counts as much as
-any other. The curve has what was played scored in each round: the expert in the first, and the network of the round before
-in all others. Called again with more rounds, it goes on from its checkpoint.
+DAgger (Ross et al. 2011, https://arxiv.org/abs/1011.0686): the expert plays the first round, and the network plays all
+others, in which the expert advises it. Each round plays new episodes of every task with training seeds, and learns from all
+episodes so far by the cross entropy of the expert's views. The learning rate falls to nothing, and all tasks have the same
+weight. The curve has the score of the player of each round: the expert in the first, and in all others the network of the
+round before. A call with more rounds resumes the training from its checkpoint.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ EPISODES, BATCH, STEPS, RATE = 1, 32, 250, 3e-3
 
 
 def loss(actor: learners.Weights, batch: list[tuple[Any, Any, Any]]) -> Any:
-    """The cross entropy of the expert's choices, the mean over tasks."""
+    """Computes the cross entropy of the expert's choices, the mean over tasks."""
     errors = []
     for views, masks, actions in batch:
         logits = learners.values(actor, views, masks)
@@ -36,9 +36,9 @@ def loss(actor: learners.Weights, batch: list[tuple[Any, Any, Any]]) -> Any:
 
 
 def decisions(task: str, actor: learners.Weights | None, random: np.random.Generator) -> tuple[Any, Any]:
-    """What cameras saw that had a choice, and what the expert chose there: views, masks and actions; and the scores.
+    """Plays an episode, and returns views, masks and the expert's actions of all cameras that had a choice, and the scores.
 
-    :param actor: plays; the expert does if there is none
+    :param actor: the network that plays; without one, the expert plays
     """
     choose = (lambda views, masks: -1) if actor is None else learners.best(actor)
     settings = {**learners.SETTINGS, "expert": EXPERT, "auto_reset": False}
@@ -50,24 +50,24 @@ def decisions(task: str, actor: learners.Weights | None, random: np.random.Gener
 
 
 def agreement(actor: learners.Weights, seen: tuple[Any, Any, Any]) -> float:
-    """The share of decisions in which the network chooses as the expert did."""
+    """Computes the share of decisions in which the network makes the expert's choice."""
     views, masks, actions = seen
     return float((np.asarray(learners.values(actor, views, masks)).argmax(-1) == actions).mean())
 
 
 def drawn(seen: tuple[Any, Any, Any], random: np.random.Generator) -> tuple[Any, Any, Any]:
-    """Some of the decisions, at random."""
+    """Draws some of the decisions at random."""
     rows = random.integers(0, len(seen[-1]), BATCH)
     views, masks, actions = (array[rows] for array in seen)
     return views, masks, actions
 
 
 def main() -> None:
-    asked = learners.reads(__doc__, 3).parse_args()
-    keeper = learners.Keeper(asked.out)
+    options = learners.reads(__doc__, 3).parse_args()
+    keeper = learners.Keeper(options.out)
     optimizer = optax.chain(optax.clip_by_global_norm(1.0), optax.scale_by_adam())
-    sizes = [learners.NUMBERS, asked.hidden, asked.hidden, 1]
-    actor = learners.network(sizes, np.random.default_rng(asked.seed))
+    sizes = [learners.NUMBERS, options.hidden, options.hidden, 1]
+    actor = learners.network(sizes, np.random.default_rng(options.seed))
     learned = keeper.resume({"actor": actor, "memory": optimizer.init(actor)})
 
     @jax.jit
@@ -77,18 +77,18 @@ def main() -> None:
         changes = jax.tree.map(lambda change: -rate * change, changes)
         return {"actor": optax.apply_updates(learned["actor"], changes), "memory": memory}, error
 
-    seen: dict[str, list[tuple[Any, Any, Any]]] = {task: [] for task in asked.tasks}
-    while keeper.rounds < asked.rounds:
-        random = np.random.default_rng([asked.seed, keeper.rounds])
+    seen: dict[str, list[tuple[Any, Any, Any]]] = {task: [] for task in options.tasks}
+    while keeper.rounds < options.rounds:
+        random = np.random.default_rng([options.seed, keeper.rounds])
         player = learned["actor"] if keeper.rounds else None
-        played = {task: decisions(task, player, random) for task in asked.tasks}
+        played = {task: decisions(task, player, random) for task in options.tasks}
         new = {task: found for task, (found, _) in played.items()}
         same = np.mean([agreement(learned["actor"], found) for found in new.values()])
         for task, found in new.items():
             seen[task].append(found)
         errors = []
         for i in range(STEPS):
-            rate = RATE * max(0.01, 1 - (keeper.rounds + i / STEPS) / asked.rounds)
+            rate = RATE * max(0.01, 1 - (keeper.rounds + i / STEPS) / options.rounds)
             batch = [drawn(kept[random.integers(len(kept))], random) for kept in seen.values()]
             learned, error = step(learned, rate, batch)
             errors.append(float(error))

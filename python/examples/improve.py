@@ -1,14 +1,14 @@
-"""IPPO and MAPPO from an imitation on: one network for all tasks goes on learning by rewards.
+"""Improves an imitation by IPPO or MAPPO: one network for all tasks continues to learn from rewards.
 
     python imitate.py --out nets/imitation
     python improve.py mappo --start nets/imitation --rounds 6 --out nets/mappo
 
-The critic of IPPO (de Witt et al. 2020, https://arxiv.org/abs/2011.09533) values what a camera's own views promise; that
-of MAPPO (Yu et al. 2022, https://arxiv.org/abs/2103.01955) also what those of all cameras do, in training alone. Both
-are sums over views and cameras, so that they fit any site. Every round plays new episodes of all tasks, with training seeds;
-each update has as many decisions of each task. In the first round the critic learns alone, and the actor stays near the
-one that it started from (kickstarting: Schmitt et al. 2018, https://arxiv.org/abs/1803.03835). Called again with more
-rounds, it goes on from its checkpoint.
+The critic of IPPO (de Witt et al. 2020, https://arxiv.org/abs/2011.09533) values what a camera's own views promise. The
+critic of MAPPO (Yu et al. 2022, https://arxiv.org/abs/2103.01955) also values what the views of all cameras promise, which
+it may know in training alone. Both sum over views and cameras, so that they fit any site. Every round plays new episodes of
+all tasks with training seeds, and each update has the same number of decisions of each task. In the first round the critic
+learns alone; afterwards the actor is kept near the one at the start (kickstarting: Schmitt et al. 2018,
+https://arxiv.org/abs/1803.03835). A call with more rounds resumes the training from its checkpoint.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ GAMMA, TRACE, CLIP, ENTROPY, NEAR = 0.9, 0.9, 0.2, 0.002, 0.02
 
 
 def known(method: str, views: Any) -> Any:
-    """What the critic knows of each camera, (..., C, 20 or 40)."""
+    """Returns what the critic knows about each camera, (..., C, 20 or 40)."""
     own = learners.summary(views)
     if method == "ippo":
         return own
@@ -38,8 +38,8 @@ def known(method: str, views: Any) -> Any:
 
 
 def loss(networks: Any, start: Any, data: dict[str, Any], acts: Any) -> Any:
-    """PPO's clipped objective (Schulman et al. 2017), the entropy, and how far the actor is from the one at the start; and
-    the error of the critic.
+    """Computes the loss: PPO's clipped objective (Schulman et al. 2017), the entropy, the distance of the actor from the one
+    at the start, and the error of the critic.
 
     :param acts: 1, or 0 while the critic learns alone
     """
@@ -59,7 +59,7 @@ def _logs(actor: learners.Weights, data: dict[str, Any]) -> Any:
 
 
 def advantages(rewards: Any, values: Any) -> tuple[Any, Any]:
-    """Generalised advantage estimation; after the last step, which time ends, as much is to come as before it."""
+    """Computes generalised advantages. An episode ends by a time limit, so its last step is continued with its own value."""
     errors = rewards + GAMMA * np.concatenate([values[1:], values[-1:]]) - values
     found, running = np.empty_like(errors), np.zeros_like(errors[0])
     for t in reversed(range(len(errors))):
@@ -69,7 +69,7 @@ def advantages(rewards: Any, values: Any) -> tuple[Any, Any]:
 
 
 def prepared(networks: Any, method: str, seen: dict[str, Any]) -> dict[str, Any]:
-    """The decisions of an episode of several worlds, one row each, but for cameras that had no choice."""
+    """Returns the decisions of an episode of several worlds, a row each, without cameras that had no choice."""
     logs = np.asarray(_logs(networks["actor"], seen))
     about = np.asarray(known(method, seen["views"]))
     values = np.asarray(learners.apply(networks["critic"], about))[..., 0]
@@ -83,7 +83,7 @@ def prepared(networks: Any, method: str, seen: dict[str, Any]) -> dict[str, Any]
 
 
 def drawn(rows: dict[str, Any], random: np.random.Generator) -> dict[str, Any]:
-    """Some of the decisions, at random."""
+    """Draws some of the decisions at random."""
     chosen = random.integers(0, len(rows["actions"]), BATCH)
     return {name: array[chosen] for name, array in rows.items()}
 
@@ -91,13 +91,13 @@ def drawn(rows: dict[str, Any], random: np.random.Generator) -> dict[str, Any]:
 def main() -> None:
     parser = learners.reads(__doc__, 6)
     parser.add_argument("method", choices=["ippo", "mappo"])
-    parser.add_argument("--start", type=pathlib.Path, help="folder of a training to go on from")
-    parser.add_argument("--reward", default="score", help="of hificamsim's rewards")
-    asked = parser.parse_args()
-    keeper = learners.Keeper(asked.out)
-    begun, sizes = np.random.default_rng(asked.seed), [asked.hidden, asked.hidden, 1]
-    actor = learners.actor_of(asked.start) if asked.start else learners.network([learners.NUMBERS, *sizes], begun)
-    width = 2 * learners.NUMBERS * (2 if asked.method == "mappo" else 1)
+    parser.add_argument("--start", type=pathlib.Path, help="folder of a training to start from")
+    parser.add_argument("--reward", default="score", help="one of hificamsim's rewards")
+    options = parser.parse_args()
+    keeper = learners.Keeper(options.out)
+    begun, sizes = np.random.default_rng(options.seed), [options.hidden, options.hidden, 1]
+    actor = learners.actor_of(options.start) if options.start else learners.network([learners.NUMBERS, *sizes], begun)
+    width = 2 * learners.NUMBERS * (2 if options.method == "mappo" else 1)
     networks = {"actor": actor, "critic": learners.network([width, *sizes], begun)}
     optimizer = optax.chain(optax.clip_by_global_norm(0.5), optax.adam(RATE))
     learned = keeper.resume({**networks, "start": actor, "memory": optimizer.init(networks)})
@@ -112,16 +112,16 @@ def main() -> None:
         changes, memory = optimizer.update(jax.grad(error)(networks), learned["memory"])
         return {**learned, **optax.apply_updates(networks, changes), "memory": memory}
 
-    while keeper.rounds < asked.rounds:
-        random = np.random.default_rng([asked.seed, keeper.rounds])
+    while keeper.rounds < options.rounds:
+        random = np.random.default_rng([options.seed, keeper.rounds])
         scores, rows = {}, []
-        for task in asked.tasks:
-            with hificamsim.Worlds(task, WORLDS, auto_reset=False, reward=asked.reward, **learners.SETTINGS) as worlds:
+        for task in options.tasks:
+            with hificamsim.Worlds(task, WORLDS, auto_reset=False, reward=options.reward, **learners.SETTINGS) as worlds:
                 worlds.reset(int(random.integers(0, learners.SEEDS)))
                 seen = learners.episode(worlds, learners.drawing(learned["actor"], random))
             scores[task] = seen.pop("scores")
-            rows.append(prepared(learned, asked.method, seen))
-        acts = float(keeper.rounds >= ALONE or asked.start is None)
+            rows.append(prepared(learned, options.method, seen))
+        acts = float(keeper.rounds >= ALONE or options.start is None)
         for _ in range(UPDATES):
             learned = step(learned, [drawn(of_task, random) for of_task in rows], acts)
         keeper.keep(learned, **learners.row_of(scores))

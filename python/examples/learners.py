@@ -1,8 +1,8 @@
-"""What the recipes share: one network that values views one by one, for any site.
+"""The parts that the recipes share: one network that values views one by one, for any site.
 
 Cameras observe what each of their views promises by the belief that they share (``belief=True``); a small network, with
-the same weights for every view, camera and site, values each of them, and a camera takes the best that it may. Needs
-``pip install jax optax onnx``, on the processor.
+the same weights for every view, camera and site, values each of them, and a camera takes the best allowed view. Needs
+``pip install jax optax onnx``, and runs on the processor.
 """
 
 from __future__ import annotations
@@ -30,13 +30,13 @@ from hificamsim.worlds import TASKS, shipped
 Array = Any
 Weights = list[Array]
 
-NUMBERS = 10  # of a view
-SEEDS = 890_000  # of training, from 0 on
+NUMBERS = 10  # what the belief says about a view
+SEEDS = 890_000  # training uses the seeds below
 SETTINGS: dict[str, Any] = {"belief": True, "targets": 0, "neighbours": 0, "threads": 1}
 
 
 def network(sizes: list[int], random: np.random.Generator, last: float = 1.0) -> Weights:
-    """The weights of a multilayer perceptron: of each layer a matrix and a vector."""
+    """Draws the weights of a multilayer perceptron: a matrix and a vector for each layer."""
     weights: Weights = []
     for inputs, outputs in zip(sizes, sizes[1:]):
         scale = np.sqrt(2 / inputs) if len(weights) < 2 * len(sizes) - 4 else last / np.sqrt(inputs)
@@ -46,7 +46,7 @@ def network(sizes: list[int], random: np.random.Generator, last: float = 1.0) ->
 
 
 def apply(weights: Weights, inputs: Array) -> Array:
-    """What a network with ReLU makes of inputs (..., numbers)."""
+    """Applies a network with ReLU to inputs (..., numbers)."""
     for i in range(0, len(weights), 2):
         inputs = inputs @ weights[i] + weights[i + 1]
         inputs = jax.nn.relu(inputs) if i + 2 < len(weights) else inputs
@@ -55,27 +55,26 @@ def apply(weights: Weights, inputs: Array) -> Array:
 
 @jax.jit
 def values(weights: Weights, views: Array, masks: Array) -> Array:
-    """The value of each view (..., V); very low where it is not allowed."""
+    """Computes the value of each view (..., V), which is very low if the view is not allowed."""
     return jnp.where(masks, apply(weights, views)[..., 0], -1e9)
 
 
 def summary(views: Array) -> Array:
-    """What a camera's views promise together, (..., 2 x 10): the mean and the most of each number over its views."""
+    """Summarises a camera's views, (..., 2 x 10): the mean and the maximum of each number over its views."""
     there = views[..., :1]
     mean = (views * there).sum(-2) / jnp.maximum(there.sum(-2), 1)
     return jnp.concatenate([mean, views.max(-2)], -1)
 
 
 def views_of(observations: Array, masks: Array) -> Array:
-    """The belief at the end of observations, (..., V, 10)."""
+    """Extracts the belief at the end of observations, (..., V, 10)."""
     count = masks.shape[-1]
     return observations[..., -count * NUMBERS :].reshape(*observations.shape[:-1], count, NUMBERS)
 
 
 def episode(worlds: hificamsim.Worlds, choose: Callable[[Array, Array], Array]) -> dict[str, Array]:
-    """Plays an episode of every world, step by step: arrays (steps, B, C, ...).
-
-    :param choose: of views (B, C, V, 10) and masks (B, C, V), a view for each camera
+    """Plays an episode of every world, and returns arrays (steps, B, C, ...).
+    :param choose: chooses a view for each camera, given views (B, C, V, 10) and masks (B, C, V)
     """
     parts: dict[str, list[Array]] = {}
     for _ in range(worlds.episode_steps):
@@ -92,13 +91,13 @@ def episode(worlds: hificamsim.Worlds, choose: Callable[[Array, Array], Array]) 
 
 
 def scale(task: str) -> tuple[Array, Array]:
-    """The scores of a task's testing episodes that stand for 0, cameras that zoom out, and for 1, the optimum."""
+    """Returns the scores of a task's testing episodes that are 0 on the scale (cameras zoom out) and 1 (the optimum)."""
     declared = json.loads((shipped() / "benchmark.json").read_text(encoding="utf-8"))[task.removeprefix(TASKS)]
     return np.array(declared["zoomOut"]), np.array(declared["best"])
 
 
 def row_of(scores: dict[str, Array]) -> dict[str, float]:
-    """The columns of a curve: what the played episodes of each task scored, on the mean scale of its testing episodes."""
+    """Returns a row of a curve: the score of each task's episodes, on the mean scale of its testing episodes."""
     row = {}
     for task, found in scores.items():
         least, most = (array.mean() for array in scale(task))
@@ -107,12 +106,12 @@ def row_of(scores: dict[str, Array]) -> dict[str, float]:
 
 
 def best(weights: Weights) -> Callable[[Array, Array], Array]:
-    """Takes the view of the greatest value."""
+    """Returns a function that chooses the view of the greatest value."""
     return lambda views, masks: np.asarray(values(weights, views, masks)).argmax(-1)
 
 
 def drawing(weights: Weights, random: np.random.Generator) -> Callable[[Array, Array], Array]:
-    """Draws views by their values as logits."""
+    """Returns a function that draws views, with their values as logits."""
 
     def choose(views: Array, masks: Array) -> Array:
         valued = np.asarray(values(weights, views, masks))
@@ -122,7 +121,7 @@ def drawing(weights: Weights, random: np.random.Generator) -> Callable[[Array, A
 
 
 class Keeper:
-    """Keeps a training: its checkpoint, its curve and the network as ONNX, in a folder."""
+    """Keeps a training in a folder: its checkpoint, its curve, and the network as ONNX."""
 
     def __init__(self, folder: pathlib.Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
@@ -132,7 +131,7 @@ class Keeper:
         self.rounds = 0
 
     def minutes(self) -> float:
-        """Of processor time, those before a checkpoint included."""
+        """The minutes of processor time, including those before a checkpoint."""
         return self.before + (time.process_time() - self.begun) / 60
 
     def keep(self, learned: dict[str, Any], **row: Any) -> None:
@@ -152,7 +151,7 @@ class Keeper:
         print(", ".join(f"{name} {value}" for name, value in row.items()), flush=True)
 
     def resume(self, learned: dict[str, Any]) -> dict[str, Any]:
-        """What the checkpoint has in place of what begins a training; the same if there is none."""
+        """Reads the state of the training from its checkpoint; returns the given state if there is none."""
         file = self.folder / "checkpoint.npz"
         if not file.exists():
             return learned
@@ -165,18 +164,18 @@ class Keeper:
 
 
 def actor_of(folder: pathlib.Path) -> Weights:
-    """The actor of another training, to go on from."""
+    """Reads the actor of another training."""
     with np.load(folder / "checkpoint.npz") as kept:
         count = sum(name.startswith("['actor']") for name in kept.files)
         return [jnp.asarray(kept[f"['actor'][{i}]"]) for i in range(count)]
 
 
 def reads(description: str, rounds: int) -> argparse.ArgumentParser:
-    """The options that all recipes have."""
+    """Makes a parser with the options that all recipes have."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--tasks", nargs="+", default=hificamsim.tasks(), help="that one network learns")
-    parser.add_argument("--rounds", type=int, default=rounds, help="of episodes of every task, those before included")
-    parser.add_argument("--seed", type=int, default=0, help="of the training")
+    parser.add_argument("--tasks", nargs="+", default=hificamsim.tasks(), help="the tasks that the network learns")
+    parser.add_argument("--rounds", type=int, default=rounds, help="number of rounds, including those of earlier calls")
+    parser.add_argument("--seed", type=int, default=0, help="seed of the training")
     parser.add_argument("--hidden", type=int, default=32, help="units of each of two layers")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("nets"), help="folder of the training")
     return parser

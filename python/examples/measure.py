@@ -1,9 +1,9 @@
-"""What trained networks score in the testing episodes of the benchmark, on its scale from 0 to 1.
+"""Measures the scores of trained networks in the testing episodes of the benchmark, on its scale from 0 to 1.
 
     python measure.py nets/imitation-* --out scores.csv
 
 Writes a row for each training, task and testing seed; ``docs/tables.py trained scores.csv`` makes a table of them. The
-scores are those of ``hificamsim benchmark run``, which plays an entry on the record; these are played all at once.
+scores equal those of ``hificamsim benchmark run``, which also records the actions; here all episodes are played at once.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from hificamsim.worlds import TASKS, TESTING
 
 
 def scores(actor: learners.Weights, task: str) -> learners.Array:
-    """The mean score of a step of each testing episode, 0 for cameras that zoom out and 1 for the optimum."""
+    """Returns the mean score of a step of each testing episode, 0 for cameras that zoom out and 1 for the optimum."""
     with hificamsim.Worlds(task, len(TESTING), auto_reset=False, testing=True, **learners.SETTINGS) as worlds:
         worlds.reset(TESTING[0])
         played = learners.episode(worlds, learners.best(actor))["scores"].mean(0)
@@ -32,13 +32,13 @@ def main() -> None:
     parser.add_argument("trainings", nargs="+", type=pathlib.Path, help="folders of trainings")
     parser.add_argument("--tasks", nargs="+", default=hificamsim.tasks())
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("scores.csv"))
-    asked = parser.parse_args()
-    with asked.out.open("w", newline="", encoding="utf-8") as out:
+    options = parser.parse_args()
+    with options.out.open("w", newline="", encoding="utf-8") as out:
         writer = csv.writer(out)
         writer.writerow(["training", "task", "seed", "score"])
-        for folder in asked.trainings:
+        for folder in options.trainings:
             actor = learners.actor_of(folder)
-            for task in asked.tasks:
+            for task in options.tasks:
                 for seed, score in zip(TESTING, scores(actor, task)):
                     writer.writerow([folder.name, task.removeprefix(TASKS), seed, f"{score:.4f}"])
                 out.flush()

@@ -10,7 +10,7 @@ import onnx
 from onnx import TensorProto, helper, numpy_helper
 
 OPSET = 13
-IR_VERSION = 8  # what ONNX Runtime of 2022 and later reads
+IR_VERSION = 8  # ONNX Runtime of 2022 and later reads it
 
 
 def write(
@@ -18,10 +18,10 @@ def write(
 ) -> None:
     """Writes a multilayer perceptron with ReLU.
 
-    :param weights: of each layer a matrix (inputs, outputs) and a vector (outputs)
-    :param targets: that an observation has room for, as the policy was trained
-    :param neighbours: the same of neighbours
-    :param actions: view or steps, as the policy was trained
+    :param weights: a matrix (inputs, outputs) and a vector (outputs) for each layer
+    :param targets: the number of targets in an observation, as in the training
+    :param neighbours: the number of neighbours in an observation, as in the training
+    :param actions: view or steps, as in the training
     """
     layers = len(weights) // 2
     nodes = []
@@ -34,13 +34,12 @@ def write(
             name = f"hidden{i}"
     inputs = helper.make_tensor_value_info("observations", TensorProto.FLOAT, ["cameras", len(weights[0])])
     outputs = helper.make_tensor_value_info("values", TensorProto.FLOAT, ["cameras", len(weights[-1])])
-    save(file, nodes, [inputs], [outputs], _kept(weights), targets=targets, neighbours=neighbours, actions=actions)
+    save(file, nodes, [inputs], [outputs], _constants(weights), targets=targets, neighbours=neighbours, actions=actions)
 
 
 def write_views(file: str | os.PathLike[str], weights: list[Any]) -> None:
-    """Writes a multilayer perceptron that values a view by what the belief says of it, on any site.
-
-    :param weights: of each layer a matrix and a vector; the first has 10 inputs, the last one output
+    """Writes a multilayer perceptron that values views by the belief, on any site.
+    :param weights: a matrix and a vector for each layer; the first has 10 inputs, the last one output
     """
     layers = len(weights) // 2
     nodes = []
@@ -52,26 +51,26 @@ def write_views(file: str | os.PathLike[str], weights: list[Any]) -> None:
             nodes.append(helper.make_node("Relu", [f"sums{i}"], [f"hidden{i}"]))
             name = f"hidden{i}"
     nodes.append(helper.make_node("Squeeze", [f"sums{layers - 1}", "last"], ["values"]))
-    kept = [*_kept(weights), numpy_helper.from_array(np.array([-1]), "last")]
+    constants = [*_constants(weights), numpy_helper.from_array(np.array([-1]), "last")]
     inputs = helper.make_tensor_value_info("views", TensorProto.FLOAT, ["cameras", "views", len(weights[0])])
     outputs = helper.make_tensor_value_info("values", TensorProto.FLOAT, ["cameras", "views"])
-    save(file, nodes, [inputs], [outputs], kept)
+    save(file, nodes, [inputs], [outputs], constants)
 
 
 def save(
-    file: str | os.PathLike[str], nodes: list[Any], inputs: list[Any], outputs: list[Any], kept: list[Any], **told: Any
+    file: str | os.PathLike[str], nodes: list[Any], inputs: list[Any], outputs: list[Any], constants: list[Any], **metadata: Any
 ) -> None:
-    """Writes a graph; ``told`` are the metadata."""
-    graph = helper.make_graph(nodes, "policy", inputs, outputs, kept)
+    """Writes a graph with metadata."""
+    graph = helper.make_graph(nodes, "policy", inputs, outputs, constants)
     model = helper.make_model(
         graph, opset_imports=[helper.make_opsetid("", OPSET)], producer_name="hificamsim", ir_version=IR_VERSION
     )
-    helper.set_model_props(model, {name: str(value) for name, value in told.items()})
+    helper.set_model_props(model, {name: str(value) for name, value in metadata.items()})
     onnx.checker.check_model(model)
     onnx.save(model, os.fspath(file))
 
 
-def _kept(weights: list[Any]) -> list[Any]:
+def _constants(weights: list[Any]) -> list[Any]:
     return [numpy_helper.from_array(np.asarray(w, np.float32), _name(i)) for i, w in enumerate(weights)]
 
 

@@ -1,9 +1,9 @@
-"""Independent PPO with shared parameters, in NumPy alone: cameras learn where to look.
+"""Trains cameras by independent PPO with shared parameters, in NumPy alone.
 
     python ppo.py border --detection ttpf:task=recognise --out border.onnx
 
-Every camera decides by the same network from what it observes itself, and is paid by ``--reward``. An update has one
-episode of every world. Schulman et al. (2017), https://arxiv.org/abs/1707.06347; de Witt et al. (2020),
+Every camera decides by the same network from its own observation, and gets the reward that ``--reward`` names. An update
+uses one episode of every world. Schulman et al. (2017), https://arxiv.org/abs/1707.06347; de Witt et al. (2020),
 https://arxiv.org/abs/2011.09533.
 """
 
@@ -24,7 +24,7 @@ import numpy.typing as npt
 import hificamsim
 
 Array = npt.NDArray[Any]
-FEW = np.float32(1e-8)
+EPSILON = np.float32(1e-8)
 
 
 class Network:
@@ -36,23 +36,23 @@ class Network:
             scale = np.sqrt(2 / inputs) if len(self.weights) < 2 * (len(sizes) - 2) else last / np.sqrt(inputs)
             self.weights.append((random.standard_normal((inputs, outputs)) * scale).astype(np.float32))
             self.weights.append(np.zeros(outputs, np.float32))
-        self.first = [np.zeros_like(one) for one in self.weights]
-        self.second = [np.zeros_like(one) for one in self.weights]
+        self.first = [np.zeros_like(weight) for weight in self.weights]
+        self.second = [np.zeros_like(weight) for weight in self.weights]
         self.updates = 0
 
     def __call__(self, inputs: Array) -> Array:
         return self.layers(inputs)[-1]
 
     def layers(self, inputs: Array) -> list[Array]:
-        """The inputs and what each layer makes of them."""
-        found = [inputs]
+        """Returns the inputs and the outputs of each layer."""
+        outputs = [inputs]
         for i in range(0, len(self.weights), 2):
-            sums = found[-1] @ self.weights[i] + self.weights[i + 1]
-            found.append(np.maximum(sums, 0) if i + 2 < len(self.weights) else sums)
-        return found
+            sums = outputs[-1] @ self.weights[i] + self.weights[i + 1]
+            outputs.append(np.maximum(sums, 0) if i + 2 < len(self.weights) else sums)
+        return outputs
 
     def slopes(self, layers: list[Array], slope: Array) -> list[Array]:
-        """The slopes of a loss by the weights. ``slope`` is that by the outputs."""
+        """Returns the gradients of a loss by the weights. ``slope`` is the gradient by the outputs."""
         found: list[Array] = []
         for i in range(len(self.weights) - 2, -1, -2):
             found += [slope.sum(0), layers[i // 2].T @ slope]
@@ -61,28 +61,28 @@ class Network:
         return found[::-1]
 
     def learn(self, layers: list[Array], slope: Array, rate: float) -> None:
-        """One step of Adam. ``slope`` is that of the loss by the outputs."""
+        """Takes a step of Adam. ``slope`` is the gradient of the loss by the outputs."""
         slopes = self.slopes(layers, slope)
-        norm = np.sqrt(sum(float((one * one).sum()) for one in slopes))
+        norm = np.sqrt(sum(float((gradient * gradient).sum()) for gradient in slopes))
         shrink = np.float32(min(1, 0.5 / (norm + 1e-8)))
         self.updates += 1
         rate *= np.sqrt(1 - 0.999**self.updates) / (1 - 0.9**self.updates)
-        for weight, one, first, second in zip(self.weights, slopes, self.first, self.second):
-            one = one * shrink
-            first += np.float32(0.1) * (one - first)
-            second += np.float32(0.001) * (one * one - second)
-            weight -= np.float32(rate) * first / (np.sqrt(second) + FEW)
+        for weight, gradient, first, second in zip(self.weights, slopes, self.first, self.second):
+            gradient = gradient * shrink
+            first += np.float32(0.1) * (gradient - first)
+            second += np.float32(0.001) * (gradient * gradient - second)
+            weight -= np.float32(rate) * first / (np.sqrt(second) + EPSILON)
 
 
 def chances(logits: Array, masks: Array) -> Array:
-    """How likely each choice is; 0 for what the mask forbids."""
+    """Returns the probability of each choice, which is 0 for choices that the mask forbids."""
     logits = np.where(masks, logits, np.float32(-1e9))
     raised = np.exp(logits - logits.max(-1, keepdims=True))
     return np.asarray(raised / raised.sum(-1, keepdims=True))
 
 
 class Learner:
-    """Actor, critic, and how they learn from an episode of all cameras."""
+    """An actor and a critic, which learn from episodes of all cameras."""
 
     def __init__(self, numbers: int, choices: int, settings: argparse.Namespace) -> None:
         self.settings = settings
@@ -93,7 +93,7 @@ class Learner:
         self.scale = 0.0
 
     def act(self, observations: Array, masks: Array) -> tuple[Array, Array]:
-        """Draws a choice for each camera; with its chance."""
+        """Draws a choice for each camera, and returns the choices and their probabilities."""
         found = chances(self.actor(observations), masks)
         sums = found.cumsum(-1)
         luck = self.random.random((len(sums), 1), np.float32) * sums[:, -1:]
@@ -102,19 +102,19 @@ class Learner:
         return actions, taken
 
     def learn(self, episode: Episode, left: float) -> None:
-        """Several passes over an episode. ``left`` falls from 1 to 0 while training goes on."""
+        """Learns in several passes over an episode. ``left`` falls from 1 to 0 during the training."""
         s = self.settings
         advantages, returns = self.advantages(episode)
         flat = [episode.observations, episode.masks, episode.actions, episode.chances, advantages, returns]
-        data = [one.reshape(-1, *one.shape[2:]) for one in flat]
-        free = np.flatnonzero(data[1].sum(-1) > 1)  # a camera on its way has no choice
+        data = [array.reshape(-1, *array.shape[2:]) for array in flat]
+        free = np.flatnonzero(data[1].sum(-1) > 1)  # a moving camera has no choice
         for _ in range(s.passes):
             self.random.shuffle(free)
             for part in np.array_split(free, max(1, len(free) // s.batch)):
-                self.step([one[part] for one in data], s.rate * left, s.entropy * left)
+                self.step([array[part] for array in data], s.rate * left, s.entropy * left)
 
     def advantages(self, episode: Episode) -> tuple[Array, Array]:
-        """Generalised advantage estimation; an episode ends because time is up, not the world."""
+        """Computes generalised advantages. Episodes end by a time limit, so the value after the last step counts."""
         s = self.settings
         rewards = episode.rewards
         totals = np.zeros_like(rewards[0])
@@ -130,7 +130,7 @@ class Learner:
         for t in range(len(errors) - 1, -1, -1):
             running = errors[t] + np.float32(s.gamma * s.trace) * running
             found[t] = running
-        return (found - found.mean()) / (found.std() + FEW), found + values
+        return (found - found.mean()) / (found.std() + EPSILON), found + values
 
     def step(self, data: list[Array], rate: float, entropy: float) -> None:
         observations, masks, actions, before, advantages, returns = data
@@ -142,7 +142,7 @@ class Learner:
         useful = np.where(advantages > 0, ratio < 1.2, ratio > 0.8)
         slope = -found * (ratio * advantages * useful)[:, None]
         slope[rows, actions] += ratio * advantages * useful
-        logs = np.log(found + FEW)
+        logs = np.log(found + EPSILON)
         slope -= np.float32(entropy) * found * (logs - (found * logs).sum(-1, keepdims=True))
         self.actor.learn(layers, -slope / count, rate)
         layers = self.critic.layers(observations)
@@ -150,7 +150,7 @@ class Learner:
 
 
 class Episode:
-    """What all cameras saw, did and got, step by step: arrays (steps, cameras, ...)."""
+    """The observations, actions and rewards of all cameras: arrays (steps, cameras, ...)."""
 
     def __init__(self, env: hificamsim.CameraVectorEnv, learner: Learner, steps: int) -> None:
         worlds = env.worlds
@@ -172,8 +172,8 @@ class Episode:
 
 
 def train(settings: argparse.Namespace) -> Iterator[tuple[int, float, float, Learner]]:
-    """After each update: the episodes so far, the processor's seconds, the mean score of a step, and the learner."""
-    task = settings.scenario.startswith("bench/")  # which says by itself what is asked, and for how long
+    """Yields after each update the number of episodes, the processor time, the mean score of a step, and the learner."""
+    task = settings.scenario.startswith("bench/")  # a task fixes detection and steps
     question = {} if task else {"detection": settings.detection, "steps": settings.steps}
     env = hificamsim.vector_env(
         settings.scenario,
@@ -188,7 +188,7 @@ def train(settings: argparse.Namespace) -> Iterator[tuple[int, float, float, Lea
     )
     try:
         steps = env.worlds.episode_steps
-        # Far from the seeds that policies are compared on; those of a task's training are below a million.
+        # The seeds are far from those on which policies are compared; seeds of a task's training are below a million.
         env.reset(seed=1_000 * settings.seed if task else 1_000_000 * (1 + settings.seed))
         learner = Learner(env.observation_space.shape[1], env.worlds.masks.shape[-1], settings)
         begin = time.process_time()
@@ -203,12 +203,12 @@ def train(settings: argparse.Namespace) -> Iterator[tuple[int, float, float, Lea
 
 def parser() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("scenario", help="or a task, such as bench/car-park-v1")
+    options.add_argument("scenario", help="a scenario, or a task such as bench/car-park-v1")
     options.add_argument("--detection", default="hifi:orb-lin")
     options.add_argument("--reward", default="difference")
-    options.add_argument("--steps", type=int, default=300, help="of an episode")
-    options.add_argument("--targets", type=int, default=4, help="that a camera observes")
-    options.add_argument("--neighbours", type=int, default=2, help="that a camera observes")
+    options.add_argument("--steps", type=int, default=300, help="number of steps of an episode")
+    options.add_argument("--targets", type=int, default=4, help="number of targets in an observation")
+    options.add_argument("--neighbours", type=int, default=2, help="number of neighbours in an observation")
     options.add_argument("--worlds", type=int, default=32)
     options.add_argument("--updates", type=int, default=300)
     options.add_argument("--passes", type=int, default=4)

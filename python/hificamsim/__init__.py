@@ -1,4 +1,4 @@
-"""Smart-camera networks for those who train agents.
+"""Simulates smart-camera networks for training agents.
 
 ``parallel_env`` is PettingZoo's, ``vector_env`` and ``single_env`` are Gymnasium's, ``sb3_vec_env`` is that of
 Stable-Baselines3; ``Worlds`` is what they stand on. ``run``, ``compare`` and ``read_results`` give pandas frames.
@@ -90,21 +90,21 @@ __all__ = [
 
 
 def sb3_vec_env(scenario: str | os.PathLike[str], num_envs: int = 1, **settings: Any) -> Any:
-    """A Stable-Baselines3 ``VecEnv`` with an environment for each camera of each of ``num_envs`` networks."""
+    """Makes a Stable-Baselines3 ``VecEnv`` with an environment for each camera of each of ``num_envs`` networks."""
     from .sb3 import CameraVecEnv
 
     return CameraVecEnv(scenario, num_envs, **settings)
 
 
 def benchmarl_task(scenario: str | os.PathLike[str], **settings: Any) -> Any:
-    """A task for BenchMARL's ``Experiment(task=...)``: the TorchRL environment with its masks and its state."""
+    """Makes a task for BenchMARL's ``Experiment(task=...)``: the TorchRL environment with its masks and its state."""
     from .tasks import CameraTask
 
     return CameraTask(scenario, settings)
 
 
 def __getattr__(name: str) -> Any:
-    """What needs more than NumPy is loaded when it is asked for."""
+    """Loads modules that need more than NumPy on first use."""
     if name not in _LATER:
         raise AttributeError(f"module 'hificamsim' has no attribute {name!r}")
     from importlib import import_module

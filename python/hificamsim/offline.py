@@ -1,4 +1,4 @@
-"""Decisions of an expert as a Minari dataset, and read back."""
+"""Writes the decisions of an expert as a Minari dataset, and reads them back."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from .worlds import Array
 ORDER = ("episode", "camera", "step")
 
 
-def to_minari(decisions: dict[str, Array], name: str, **told: Any) -> Any:
-    """Writes what ``dataset(..., idle=True)`` gives as a Minari dataset, an episode for each camera of each episode.
+def to_minari(decisions: dict[str, Array], name: str, **metadata: Any) -> Any:
+    """Writes the decisions of ``dataset(..., idle=True)`` as a Minari dataset, an episode for each camera and episode.
 
     Observations are Box (F,), actions Discrete (M), all episodes truncated; ``infos`` have ``action_mask``, (M,), and
     ``episode`` and ``camera``, (1,). Needs Minari (``pip install 'hificamsim[minari]'``).
 
-    :param name: that Minari gives it, such as ``cameras/campus-cooperative-v0``
-    :param told: what else ``minari.create_dataset_from_buffers`` keeps, such as ``author`` or ``description``
+    :param name: the name of the dataset, such as ``cameras/campus-cooperative-v0``
+    :param metadata: other arguments of ``minari.create_dataset_from_buffers``, such as ``author`` or ``description``
     :returns: the ``MinariDataset``
     """
     import gymnasium
@@ -35,12 +35,12 @@ def to_minari(decisions: dict[str, Array], name: str, **told: Any) -> Any:
         buffers,
         observation_space=gymnasium.spaces.Box(-1, 1, (size,), np.float32),
         action_space=gymnasium.spaces.Discrete(decisions["masks"].shape[1]),
-        **told,
+        **metadata,
     )
 
 
 def from_minari(dataset: Any) -> dict[str, Array]:
-    """The decisions of a Minari dataset that ``to_minari`` wrote, in the order in which ``dataset`` gives them.
+    """Reads a Minari dataset that ``to_minari`` wrote, and returns its decisions in the order of ``dataset``.
 
     :param dataset: a ``MinariDataset``, or the name of one
     """
@@ -58,7 +58,7 @@ def from_minari(dataset: Any) -> dict[str, Array]:
 
 
 def _parts(rows: dict[str, Array], starts: Array) -> list[dict[str, Array]]:
-    """The rows of each episode of each camera."""
+    """Splits rows into those of each episode of each camera."""
     bounds = [*starts.tolist(), len(rows["step"])]
     return [{key: array[first:end] for key, array in rows.items()} for first, end in zip(bounds, bounds[1:])]
 

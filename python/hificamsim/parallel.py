@@ -1,4 +1,4 @@
-"""PettingZoo: every camera an agent."""
+"""The PettingZoo environment, in which every camera is an agent."""
 
 from __future__ import annotations
 
@@ -21,16 +21,15 @@ from .worlds import DETAILS, MEASURES, Array, rendered, require_episode
 class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
     """A network of cameras as a PettingZoo environment; the agents are the cameras, by name.
 
-    All end together, after ``steps``: nothing is terminated, all are truncated. A camera that an event switches
-    off or has yet to add stays an agent, sees zeros, and does nothing. ``infos[camera]["action_mask"]`` says what
-    it may do; what it forbids leaves the camera as it is. An action is an int from 0 on, or two with
-    ``actions="steps"``, or two rates in [-1, 1], without a mask, with ``actions="rates"``; every camera needs one.
-    ``infos`` also have ``coverage`` in [0, 1], ``k_min`` and ``score``; with ``details=True`` also ``seen``, ``added`` and
-    ``sent``, how many targets the camera detected, how many of them no other one did, and the bits it sent.
-
-    :param max_cycles: ``steps`` as PettingZoo's environments name it
-    :param equal_spaces: whether all cameras get the action space and the masks of the one with most views, as libraries
-        expect that share one policy; what a camera does not have leaves it as it is
+    All agents end together after ``steps``: none is terminated, all are truncated. A camera that is switched off, or that an
+    event adds later, stays an agent, observes zeros, and does nothing. ``infos[camera]["action_mask"]`` has the allowed
+    actions; a forbidden action has no effect. Every camera needs an action: an int from 0 on, or two with
+    ``actions="steps"``, or two rates in [-1, 1], which have no mask, with ``actions="rates"``. ``infos`` also have ``coverage``
+    in [0, 1], ``k_min`` and ``score``; with ``details=True`` also ``seen``, ``added`` and ``sent``: the number of targets that
+    the camera detected, the number that only this camera detected, and the bits that it sent.
+    :param max_cycles: another name of ``steps``, usual in PettingZoo
+    :param equal_spaces: whether all cameras get the action space and the masks of the camera with most views, as libraries
+        with a shared policy expect; an action that a camera does not have has no effect
     """
 
     metadata: dict[str, Any] = {
@@ -66,11 +65,11 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
             agent: spaces.observation(self.worlds) for agent in self.possible_agents
         }
         self.action_spaces = {agent: self._space(i) for i, agent in enumerate(self.possible_agents)}
-        self._counts = np.array([spaces.counts(self.action_spaces[one]) for one in self.possible_agents])
+        self._counts = np.array([spaces.counts(self.action_spaces[agent]) for agent in self.possible_agents])
         self.state_space = spaces.state(self.worlds)
         self._false = dict.fromkeys(self.possible_agents, False)
         self._true = dict.fromkeys(self.possible_agents, True)
-        #: For wrappers that draw, such as SuperSuit's.
+        #: For wrappers that draw random numbers, such as SuperSuit's.
         self.np_random, _ = seeding.np_random()
 
     def observation_space(self, agent: str) -> Any:
@@ -82,7 +81,7 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
     def reset(
         self, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[dict[str, Array], dict[str, dict[str, Any]]]:
-        """Begins an episode: of this seed, or the next one."""
+        """Begins the episode of a seed, or the next episode."""
         self.worlds.begin(seed)
         self.agents = self.possible_agents[:]
         if seed is not None:
@@ -94,11 +93,11 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
     ) -> tuple[
         dict[str, Array], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]
     ]:
-        """Every camera acts, and a step goes by."""
+        """Carries out the actions of all cameras, and simulates a step."""
         worlds = self.worlds
         require_episode(worlds, bool(self.agents))
-        told = spaces.told(self._listed(actions), self._counts, self._whose, worlds.least_action)
-        worlds.actions[0] = told.reshape(worlds.actions.shape[1:])
+        checked = spaces.checked(self._listed(actions), self._counts, self._camera_at, worlds.least_action)
+        worlds.actions[0] = checked.reshape(worlds.actions.shape[1:])
         worlds.step()
         rewards = dict(zip(self.agents, worlds.rewards[0].tolist()))
         over = bool(worlds.ends[0])
@@ -120,7 +119,7 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
             raise InputError(f"an action for {shown(other)}, expected none but for {', '.join(self.agents)}")
         return listed
 
-    def _whose(self, index: tuple[int, ...]) -> str:
+    def _camera_at(self, index: tuple[int, ...]) -> str:
         return f"camera {self.possible_agents[index[0]]}"
 
     def _observations(self) -> dict[str, Array]:
@@ -141,27 +140,27 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
     def _space(self, camera: int) -> Any:
         return spaces.action(self.worlds, None if self._equal else camera)
 
-    def _mask(self, camera: int, of: Array) -> Any:
-        whole = self._equal and len(self.worlds.choices) == 1
-        return of if whole else spaces.mask(self.worlds, camera, of)
+    def _mask(self, camera: int, mask: Array) -> Any:
+        is_unchanged = self._equal and len(self.worlds.choices) == 1
+        return mask if is_unchanged else spaces.mask(self.worlds, camera, mask)
 
     def state(self) -> Array:
-        """All there is to know of the world, float32 in [-1, 1]."""
+        """Returns the whole state of the world, float32 in [-1, 1]."""
         return np.array(self.worlds.state()[0])
 
     def save(self) -> State:
-        """The environment at this moment, with its random streams."""
+        """Returns the present state of the environment, with its random streams."""
         return self.worlds.save((bool(self.agents), self.np_random.bit_generator.state))
 
     def restore(self, state: State) -> tuple[dict[str, Array], dict[str, dict[str, Any]]]:
-        """Goes on from a state; returns observations and infos as they were."""
+        """Continues from a state; returns observations and infos as they were."""
         self.worlds.restore(state)
         playing, self.np_random.bit_generator.state = state.own
         self.agents = self.possible_agents[:] if playing else []
         return self._observations(), self._infos()
 
     def render(self) -> Array | None:
-        """The last step as a picture, uint8 (height, width, 3), or in a window; as ``render_mode`` says."""
+        """Shows the last step as ``render_mode`` says: as a picture, uint8 (height, width, 3), or in a window."""
         if self.render_mode is None:
             return None
         picture = self.worlds.picture(self.width)
@@ -191,12 +190,12 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
 
 
 def parallel_env(scenario: str | os.PathLike[str], **settings: Any) -> CameraEnv:
-    """A network of cameras as a PettingZoo ``ParallelEnv``; the settings are those of ``Worlds``."""
+    """Makes a network of cameras as a PettingZoo ``ParallelEnv``; the settings are those of ``Worlds``."""
     return CameraEnv(scenario, **settings)
 
 
 def env(scenario: str | os.PathLike[str], **settings: Any) -> Any:
-    """The same as an ``AECEnv``, by PettingZoo's own conversion."""
+    """Makes a network of cameras as an ``AECEnv``, by PettingZoo's own conversion."""
     from pettingzoo.utils.conversions import parallel_to_aec
 
     return parallel_to_aec(parallel_env(scenario, **settings))

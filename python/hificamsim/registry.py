@@ -1,4 +1,4 @@
-"""Environments by id: every scenario that comes with the package, as ``campus-v1``, and every task, as ``bench/campus-v1``."""
+"""Environments by id: shipped scenarios, as ``campus-v1``, and tasks, as ``bench/campus-v1``."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ from .parallel import CameraEnv
 from .worlds import scenarios, tasks
 
 VERSION = "-v1"
-ALIAS = "-v0"  # what ids ended in at first
+OLD_VERSION = "-v0"
 
 
 def ids() -> list[str]:
-    """All ids."""
+    """Returns all ids."""
     return [name + VERSION for name in scenarios()] + tasks()
 
 
 def _scenarios() -> dict[str, str]:
-    named = {name + version: name for name in scenarios() for version in (VERSION, ALIAS)}
+    named = {name + version: name for name in scenarios() for version in (VERSION, OLD_VERSION)}
     return named | {name: name for name in tasks()}
 
 
 def make(id: str, **settings: Any) -> CameraEnv:
-    """The parallel environment of an id."""
+    """Makes the parallel environment of an id."""
     scenario = _scenarios().get(path(id, "id"))
     if scenario is None:
         raise InputError(f"id is {shown(id)}, expected one of {', '.join(ids())}")
@@ -31,7 +31,7 @@ def make(id: str, **settings: Any) -> CameraEnv:
 
 
 def register() -> None:
-    """Makes the ids known to Gymnasium, as ``hificamsim/campus-v1`` and ``bench/campus-v1``."""
+    """Registers the ids with Gymnasium, as ``hificamsim/campus-v1`` and ``bench/campus-v1``."""
     import gymnasium
 
     for id, scenario in _scenarios().items():

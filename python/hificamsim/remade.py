@@ -9,14 +9,14 @@ from .errors import InputError
 
 
 class Remade:
-    """Pickle and copy make a new object of the same arguments, which begins as this one did; see ``save`` for the rest."""
+    """Lets pickle and copy make a new object with the same arguments, in its initial state; ``save`` keeps the present one."""
 
     _arguments: tuple[tuple[Any, ...], dict[str, Any]]
 
     def __new__(cls, *args: Any, **kwargs: Any) -> Any:
-        made = super().__new__(cls)
-        made._arguments = args, kwargs
-        return made
+        instance = super().__new__(cls)
+        instance._arguments = args, kwargs
+        return instance
 
     def __reduce__(self) -> Any:
         args, kwargs = self._arguments
@@ -29,15 +29,13 @@ def _remake(cls: type, args: tuple[Any, ...], kwargs: dict[str, Any]) -> Any:
 
 @dataclasses.dataclass(frozen=True)
 class State:
-    """An environment at one moment, as ``save`` returns it. It can be pickled, and restored in any environment of the
+    """The state of an environment, as ``save`` returns it. It can be pickled, and restored in any environment with the
     same settings.
-
     Saving copies the actions of the episode and the arrays; restoring replays the episode, so it takes as long as its
     steps did.
-
-    :param worlds: what the simulator needs
-    :param settings: what was asked for
-    :param own: what the environment itself keeps of its episode
+    :param worlds: the state of the simulator
+    :param settings: the settings of the environment
+    :param own: the state of the Python object
     """
 
     worlds: bytes
@@ -45,7 +43,7 @@ class State:
     own: Any = None
 
     def check(self, settings: dict[str, Any]) -> None:
-        """Rejects a state of other settings."""
+        """Rejects a state of an environment with other settings."""
         for name in self.settings.keys() | settings.keys():
             saved, present = self.settings.get(name), settings.get(name)
             if saved != present:

@@ -27,9 +27,9 @@ WARNING = "warning: "
 class Results:
     """A folder of results.
 
-    :ivar settings: what was chosen (``settings.json``, or that part of ``summary.json``)
-    :ivar frames: every table by the name of its file: ``frames["steps"]`` is ``steps.csv`` or ``steps.parquet``
-    :ivar folder: None where it is gone
+    :ivar settings: the settings of the runs (``settings.json``, or ``summary.json``)
+    :ivar frames: the tables by the names of their files: ``frames["steps"]`` is ``steps.csv`` or ``steps.parquet``
+    :ivar folder: the folder; None if it was deleted
     """
 
     settings: dict[str, Any]
@@ -82,12 +82,10 @@ def run(
     scenario: str | os.PathLike[str], *, out: str | os.PathLike[str] | None = None, **options: Any
 ) -> Results:
     """Runs a scenario: ``run("campus", policy="sarsa", repeat=3)`` is ``hificamsim run campus.xml --policy sarsa ...``.
-
-    Detection, objective and steps are the scenario's unless options say otherwise; ``run("campus")["steps"].score`` is
-    the answer, step by step, and ``settings["score_words"]`` says of what.
-
-    :param out: where the files stay; without it they are read and deleted
-    :param options: those of the command, with ``_`` for ``-``; True for one without a value, a list for several
+    Detection, objective and steps are the scenario's unless options override them. ``run("campus")["steps"].score`` has the
+    score of each step, and ``settings["score_words"]`` its meaning.
+    :param out: the folder of the files; without it they are read and deleted
+    :param options: the options of the command, with ``_`` for ``-``; True for an option without a value, a list for several
     """
     return _command("run", [scenario_file(scenario)], out, options)
 
@@ -95,22 +93,22 @@ def run(
 def compare(
     *scenarios: str | os.PathLike[str], out: str | os.PathLike[str] | None = None, **options: Any
 ) -> Results:
-    """Compares policies and detection models: ``compare("campus", policies=["zoom-out", "sarsa"])``; as ``run``."""
-    return _command("compare", [scenario_file(one) for one in scenarios], out, options)
+    """Compares policies and detection models: ``compare("campus", policies=["zoom-out", "sarsa"])``; options as for ``run``."""
+    return _command("compare", [scenario_file(scenario) for scenario in scenarios], out, options)
 
 
 @dataclass(frozen=True)
 class Plan(Results):
     """A plan of cameras: ``frames`` has cameras, samples and curve; ``settings`` is ``summary.json``.
 
-    :ivar matrix: candidates by samples, SciPy's sparse array: 1 where a candidate covers a sample of ``frames["samples"]``
+    :ivar matrix: a sparse array of SciPy, candidates by samples: 1 if a candidate covers a sample of ``frames["samples"]``
     """
 
     matrix: Any = field(repr=False, default=None)
 
     @property
     def share(self) -> float:
-        """The share of the samples that is met, by their weights; ``bound`` is of samples, too."""
+        """The weighted share of the samples that is met, which ``bound`` limits."""
         return float(self.settings["share"])
 
     @property
@@ -120,26 +118,26 @@ class Plan(Results):
 
     @property
     def bound(self) -> float:
-        """No plan of the same candidates meets more; where everything is to be covered, what all of them meet."""
+        """A share that no plan of the same candidates exceeds; with ``cover=True``, the share that all candidates meet."""
         return float(self.settings["share_bound"])
 
 
 def place(site: str | os.PathLike[str], *, out: str | os.PathLike[str] | None = None, **options: Any) -> Plan:
-    """Plans cameras: ``place("museum", cameras=40)`` is ``hificamsim place museum.xml --cameras 40``; options as ``run``."""
+    """Plans cameras: ``place("museum", cameras=40)`` is ``hificamsim place museum.xml --cameras 40``; options as for ``run``."""
     from scipy.sparse import csr_array
 
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch if out is None else out)
-        made = _command("place", [scenario_file(site)], folder, {**options, "form": "candidates"})
+        results = _command("place", [scenario_file(site)], folder, {**options, "form": "candidates"})
         first, *rows = (folder / "instance.txt").read_text(encoding="ascii").splitlines()
-        seen = [[int(one) - 1 for one in row.split()[2:]] for row in rows]
-    samples, candidates = (int(one) for one in first.split())
+        seen = [[int(number) - 1 for number in row.split()[2:]] for row in rows]
+    samples, candidates = (int(number) for number in first.split())
     ends = [0]
     for row in seen:
         ends.append(ends[-1] + len(row))
     indices = [sample for row in seen for sample in row]
     matrix = csr_array(([1] * len(indices), indices, ends), shape=(candidates, samples), dtype="int8")
-    return Plan(made.settings, made.frames, None if out is None else folder, matrix)
+    return Plan(results.settings, results.frames, None if out is None else folder, matrix)
 
 
 def _command(
@@ -156,9 +154,8 @@ def _command(
 
 
 def _execute_with_keywords(*words: str) -> None:
-    """Runs a command for a caller who passed keywords: an error names ``steps=`` where the command line has ``--steps``.
-
-    What the command warns of is a warning of Python's.
+    """Runs a command for a caller who passed keywords: its errors name ``steps=`` instead of ``--steps``.
+    Warnings of the command become warnings of Python.
     """
     try:
         done = _finished(*words)
@@ -180,12 +177,12 @@ def _words(key: str, value: Any) -> list[str]:
     if value is True:
         return [option]
     if isinstance(value, Iterable) and not isinstance(value, str):
-        return [option, ",".join(str(one) for one in value)]
+        return [option, ",".join(str(item) for item in value)]
     return [option, str(value)]
 
 
 def execute(*words: str) -> str:
-    """Runs any command of ``hificamsim``, and returns what it prints."""
+    """Runs any command of ``hificamsim``, and returns its output."""
     return _finished(*words).stdout
 
 
@@ -211,10 +208,10 @@ def _finished(*words: str) -> subprocess.CompletedProcess[str]:
 def record(
     worlds: Worlds, actions: pathlib.Path, steps: int, folder: str | os.PathLike[str]
 ) -> pathlib.Path:
-    """Plays actions again into a folder, and returns the page of the episode."""
+    """Replays actions, writes the run into a folder, and returns its page."""
     if worlds.file.endswith(".json"):
         raise InputError("a task has no report, expected a scenario: its site is drawn for each episode")
-    asked = {key: value for key, value in worlds.settings.items() if key in worlds.run_settings}
+    settings = {key: value for key, value in worlds.settings.items() if key in worlds.run_settings}
     episode = {"policy": f"played:actions={worlds.kind},file={actions}", "steps": steps, "seed": worlds.episode_seed()}
-    run(worlds.file, out=folder, record=True, **{**asked, **episode})
+    run(worlds.file, out=folder, record=True, **{**settings, **episode})
     return pathlib.Path(folder, "report.html")

@@ -1,4 +1,4 @@
-"""Stable-Baselines3: every camera of every network an environment of its own, for one shared policy."""
+"""The environment for Stable-Baselines3: every camera of every network is one, for a shared policy."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .vector import CameraVectorEnv
 
 
 class CameraVecEnv(Remade, VecEnv):  # type: ignore[misc]
-    """As ``CameraVectorEnv`` with ``per="camera"``, in the shape that Stable-Baselines3 asks for.
+    """Adapts ``CameraVectorEnv`` with ``per="camera"`` to the interface of Stable-Baselines3.
 
     ``env_method("action_masks")`` gives MaskablePPO its masks.
     """
@@ -42,10 +42,10 @@ class CameraVecEnv(Remade, VecEnv):  # type: ignore[misc]
         self._actions = actions
 
     def step_wait(self) -> Any:
-        observations, rewards, _, ends, of_all = self.vector.step(self._actions)
+        observations, rewards, _, ends, batch = self.vector.step(self._actions)
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
         for i in np.flatnonzero(ends):
-            infos[i] = {"terminal_observation": of_all["final_obs"][i], "TimeLimit.truncated": True}
+            infos[i] = {"terminal_observation": batch["final_obs"][i], "TimeLimit.truncated": True}
         return observations, rewards.copy(), ends, infos
 
     def close(self) -> None:
@@ -59,7 +59,7 @@ class CameraVecEnv(Remade, VecEnv):  # type: ignore[misc]
         return list(self.vector.render() or ())
 
     def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
-        return [getattr(self.vector, attr_name)] * len(self._those(indices))
+        return [getattr(self.vector, attr_name)] * len(self._numbers(indices))
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
         setattr(self.vector, attr_name, value)
@@ -67,11 +67,11 @@ class CameraVecEnv(Remade, VecEnv):  # type: ignore[misc]
     def env_method(self, method_name: str, *args: Any, indices: Any = None, **kwargs: Any) -> list[Any]:
         if method_name == "action_masks":
             masks = self.vector.action_masks()
-            return [masks[i] for i in self._those(indices)]
-        return [getattr(self.vector, method_name)(*args, **kwargs)] * len(self._those(indices))
+            return [masks[i] for i in self._numbers(indices)]
+        return [getattr(self.vector, method_name)(*args, **kwargs)] * len(self._numbers(indices))
 
     def env_is_wrapped(self, wrapper_class: Any, indices: Any = None) -> list[bool]:
-        return [False] * len(self._those(indices))
+        return [False] * len(self._numbers(indices))
 
-    def _those(self, indices: Any) -> Sequence[int]:
+    def _numbers(self, indices: Any) -> Sequence[int]:
         return list(self._get_indices(indices))

@@ -8,8 +8,8 @@ from .errors import Error
 from .worlds import Array
 
 os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
-# SDL takes a signal of the JVM in this process for a crash: one that stops its threads for a moment ends the process.
-# And SIGTERM, which should end it, would only close a window. SDL reads this when it starts.
+# SDL would take the signals by which the JVM stops its threads for a moment as crashes, and end the process, while SIGTERM
+# would only close a window. SDL reads this variable when it starts.
 os.environ["SDL_NO_SIGNAL_HANDLERS"] = "1"
 
 

@@ -1,4 +1,4 @@
-"""The spaces of worlds."""
+"""The spaces of observations and actions, and the check of actions."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from .errors import InputError, shown
 from .worlds import Array, Worlds
 
 
-RATE = 1000  # of which a rate of 1 is as many
+RATE = 1000  # the simulator counts rates in thousandths
 
 
 def observation(worlds: Worlds, *shape: int) -> gymnasium.spaces.Box:
-    """Of observations, with their true bounds; ``shape`` is what comes before the numbers of a camera."""
+    """Returns the space of observations with their true bounds; ``shape`` has the dimensions before a camera's numbers."""
     low, high = worlds.bounds()
     full = (*shape, low.size)
     return gymnasium.spaces.Box(np.broadcast_to(low, full), np.broadcast_to(high, full), dtype=np.float32)
 
 
 def state(worlds: Worlds) -> gymnasium.spaces.Box:
-    """Of the state of a world."""
+    """Returns the space of the state of a world."""
     return gymnasium.spaces.Box(-1, 1, (worlds.states.shape[1],), np.float32)
 
 
 def action(worlds: Worlds, camera: int | None = None) -> gymnasium.spaces.Space[Any]:
-    """Of a camera's action; without a camera, of one that may be any."""
+    """Returns the space of a camera's action; without a camera, a space that suits all cameras."""
     if worlds.kind == "rates":
         return gymnasium.spaces.Box(-1, 1, (2,), np.float32)
     if len(worlds.choices) > 1:
@@ -37,7 +37,7 @@ def action(worlds: Worlds, camera: int | None = None) -> gymnasium.spaces.Space[
 
 
 def joint_action(worlds: Worlds) -> gymnasium.spaces.Space[Any]:
-    """Of the actions of all cameras, one after the other."""
+    """Returns the space of the actions of all cameras, one after the other."""
     if worlds.kind == "rates":
         return gymnasium.spaces.Box(-1, 1, (2 * len(worlds.cameras),), np.float32)
     if len(worlds.choices) > 1:
@@ -45,51 +45,51 @@ def joint_action(worlds: Worlds) -> gymnasium.spaces.Space[Any]:
     return gymnasium.spaces.MultiDiscrete(worlds.views)
 
 
-def counts(of: gymnasium.spaces.Space[Any]) -> Array:
-    """Of how many each number of an action of a space is one; of rates the most that each can be, as floats."""
-    if isinstance(of, gymnasium.spaces.Box):
-        return of.high
-    n = of.n if isinstance(of, gymnasium.spaces.Discrete) else of.nvec  # type: ignore[attr-defined]
-    return np.asarray(n, np.uint64)  # as which a negative action is a large one
+def counts(space: gymnasium.spaces.Space[Any]) -> Array:
+    """Returns the number of choices of each number of an action; for rates their maximum, as floats."""
+    if isinstance(space, gymnasium.spaces.Box):
+        return space.high
+    n = space.n if isinstance(space, gymnasium.spaces.Discrete) else space.nvec  # type: ignore[attr-defined]
+    return np.asarray(n, np.uint64)  # unsigned, so that a negative action becomes a large number
 
 
-def told(actions: Any, counts: Array, name: Callable[[tuple[int, ...]], str], least: int = 0) -> Array:
-    """Actions of the shape of ``counts``, each a whole number from ``least`` to below its count; rates in thousandths.
-
-    :param name: says whose the action at an index is
+def checked(actions: Any, counts: Array, name: Callable[[tuple[int, ...]], str], least: int = 0) -> Array:
+    """Checks actions, which have the shape of ``counts``: each is a whole number from ``least`` to below its count, or a rate.
+    Rates are returned in thousandths.
+    :param name: returns the name of the camera whose action is at an index
     :param least: 0 or -1, see ``Worlds.least_action``
     """
     try:
         values = np.asarray(actions)
     except ValueError:
-        values = np.empty(0, object)  # not even rows of one length
+        values = np.empty(0, object)  # the rows have different lengths
     if values.shape != counts.shape:
         raise InputError(f"actions have shape {values.shape}, expected {counts.shape}")
-    rated = counts.dtype.kind == "f"
-    if rated and values.dtype.kind in "fiu" and ((values >= -1) & (values <= 1)).all():
+    are_rates = counts.dtype.kind == "f"
+    if are_rates and values.dtype.kind in "fiu" and ((values >= -1) & (values <= 1)).all():
         return np.rint(RATE * (values.astype(np.float64) + 1)).astype(np.int32)
-    if not rated and values.dtype.kind in "iu" and not np.count_nonzero(_from(values, least) >= _from(counts, least)):
+    if not are_rates and values.dtype.kind in "iu" and not np.count_nonzero(_offset(values, least) >= _offset(counts, least)):
         return values
     for index, value in np.ndenumerate(np.asarray(actions, object)):
-        number = isinstance(value, (int, np.integer, *((float, np.floating) if rated else ())))
-        first, last = (-1, 1) if rated else (least, int(counts[index]) - 1)
+        number = isinstance(value, (int, np.integer, *((float, np.floating) if are_rates else ())))
+        first, last = (-1, 1) if are_rates else (least, int(counts[index]) - 1)
         if not number or isinstance(value, bool) or not first <= value <= last:
-            said = value if isinstance(value, (int, float, np.number)) else shown(value)
+            text = value if isinstance(value, (int, float, np.number)) else shown(value)
             raise InputError(
-                f"action {said} of {name(index)}, expected a {'rate' if rated else 'whole number'} from {first} to {last}"
+                f"action {text} of {name(index)}, expected a {'rate' if are_rates else 'whole number'} from {first} to {last}"
             )
-    raise InputError(f"actions are of type {values.dtype}, expected {'rates' if rated else 'whole numbers'}")
+    raise InputError(f"actions are of type {values.dtype}, expected {'rates' if are_rates else 'whole numbers'}")
 
 
-def _from(values: Array, least: int) -> Array:
-    """Values counted from ``least`` on, unsigned, so that a lower one is a large number."""
+def _offset(values: Array, least: int) -> Array:
+    """Counts values from ``least`` on, unsigned, so that a lower value becomes a large number."""
     unsigned = values.astype(np.uint64, copy=False)
     return unsigned if least == 0 else unsigned + np.uint64(-least)
 
 
-def mask(worlds: Worlds, camera: int, of: Array) -> Array | tuple[Array, ...]:
-    """A camera's mask as ``Space.sample`` takes it."""
+def mask(worlds: Worlds, camera: int, row: Array) -> Array | tuple[Array, ...]:
+    """Returns the mask of a camera as ``Space.sample`` takes it, given its row of ``masks``."""
     if len(worlds.choices) == 1:
-        return of[: worlds.views[camera]]
+        return row[: worlds.views[camera]]
     ends = np.cumsum(worlds.choices)[:-1]
-    return tuple(np.split(of, ends))
+    return tuple(np.split(row, ends))

@@ -1,4 +1,4 @@
-"""BenchMARL: the TorchRL environment as a task. Experiments are pickled, and so the class has a module of its own."""
+"""The TorchRL environment as a task of BenchMARL, in a module of its own, since experiments are pickled."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .worlds import Worlds
 
 
 class CameraTask(TaskClass):  # type: ignore[misc]
-    """A network of cameras; its name is that of the scenario, since folders of results are called by it."""
+    """A network of cameras as a task, named after its scenario, since folders of results get its name."""
 
     def __init__(self, scenario: str | os.PathLike[str], settings: dict[str, Any]) -> None:
         super().__init__(pathlib.Path(scenario).stem, settings)
@@ -67,7 +67,7 @@ class CameraTask(TaskClass):  # type: ignore[misc]
 
 
 def _only(env: Any, part: str) -> Any:
-    """What an environment says of one part of what cameras get."""
+    """Returns the specification of one part of an environment's observations."""
     spec = env.observation_spec.clone()
     del spec["state"]
     for key in list(spec[GROUP].keys()):

@@ -1,4 +1,4 @@
-"""TorchRL: the PettingZoo environment in its wrapper, all cameras in one group."""
+"""The PettingZoo environment in the wrapper of TorchRL, with all cameras in one group."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ GROUP = "cameras"
 
 
 class StackedCameraEnv(CameraEnv):
-    """Cameras that all have the choices of the one with the most views, as arrays of one shape; masks tell them apart."""
+    """Cameras that all have the choices of the camera with the most views, so that arrays have one shape; masks differ."""
 
     def _space(self, camera: int) -> Any:
         return spaces.action(self.worlds)
 
-    def _mask(self, camera: int, of: Array) -> Any:
-        return of if len(self.worlds.choices) == 1 else super()._mask(camera, of)
+    def _mask(self, camera: int, mask: Array) -> Any:
+        return mask if len(self.worlds.choices) == 1 else super()._mask(camera, mask)
 
 
 def torchrl_env(scenario: str | os.PathLike[str], *, device: Any = "cpu", **settings: Any) -> Any:
-    """A TorchRL environment: observations, actions, masks and rewards are under the group ``cameras``."""
+    """Makes a TorchRL environment: observations, actions, masks and rewards are under the group ``cameras``."""
     from torchrl.envs import PettingZooWrapper
 
-    made = StackedCameraEnv(scenario, **settings)
+    stacked = StackedCameraEnv(scenario, **settings)
     return PettingZooWrapper(
-        env=made,
-        group_map={GROUP: made.possible_agents},
+        env=stacked,
+        group_map={GROUP: stacked.possible_agents},
         return_state=True,
         use_mask=False,
         categorical_actions=True,

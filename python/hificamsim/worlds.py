@@ -1,4 +1,4 @@
-"""Simulations side by side, stepped by one call; the arrays are shared with the simulator."""
+"""Simulations that are stepped by one call; the arrays are shared with the simulator."""
 
 from __future__ import annotations
 
@@ -17,34 +17,34 @@ from .remade import Remade, State
 
 Array = npt.NDArray[Any]
 
-DETAILS = ("seen", "added", "sent")  # what ``details`` has, by name
-MEASURES = ("coverage", "k_min", "score")  # what ``measures`` has, by name
+DETAILS = ("seen", "added", "sent")  # the names of the numbers in ``details``
+MEASURES = ("coverage", "k_min", "score")  # the names of the numbers in ``measures``
 
 SCENARIOS = pathlib.Path(__file__).resolve().parent / "scenarios"
 
 
 def scenarios() -> list[str]:
-    """The names of the scenarios that come with the package."""
+    """Returns the names of the scenarios that come with the package."""
     return sorted(file.stem for file in shipped().glob("*.xml"))
 
 
 def shipped() -> pathlib.Path:
-    """The folder of the scenarios."""
+    """Returns the folder of the scenarios."""
     return pathlib.Path(os.environ.get("HIFICAMSIM_SCENARIOS") or SCENARIOS)
 
 
-TASKS = "bench/"  # what names of tasks begin with
-TESTING = tuple(range(1_000_001, 1_000_011))  # the seeds of their testing episodes
+TASKS = "bench/"  # the prefix of tasks' names
+TESTING = tuple(range(1_000_001, 1_000_011))  # the seeds of the testing episodes of tasks
 
 
 def tasks() -> list[str]:
-    """The names of the benchmark's tasks, as ``bench/campus-v1``."""
+    """Returns the names of the benchmark's tasks, as ``bench/campus-v1``."""
     file = shipped() / "benchmark.json"
     return [TASKS + name for name in json.loads(file.read_text(encoding="utf-8"))] if file.exists() else []
 
 
 def scenario_file(scenario: str | os.PathLike[str]) -> str:
-    """The file of a scenario: one of the package's by its name, or any file."""
+    """Returns the file of a scenario, given a file or the name of a scenario of the package."""
     text = path(scenario, "scenario")
     named = shipped() / f"{text}.xml"
     if not os.path.isfile(text) and os.path.exists(named):
@@ -59,48 +59,44 @@ def scenario_file(scenario: str | os.PathLike[str]) -> str:
 
 class Worlds(Remade):
     """``num_envs`` worlds of one scenario.
-
-    World i begins with ``seed + i``: its first episode is the run of ``hificamsim run --seed``. What comes out
-    depends on seeds and actions alone, not on the number of worlds or threads, or on the backend.
-
-    The arrays belong to the simulator and change with every call; copy what is to stay. B is the number of
+    World i begins with ``seed + i``; its first episode equals that of ``hificamsim run --seed``. Results depend on
+    seeds and actions alone, not on the number of worlds or threads, or on the backend.
+    The arrays belong to the simulator and change with every call; copy those that you keep. B is the number of
     worlds, C of cameras, F of numbers of an observation, A of numbers of an action.
 
     - ``actions`` int32 (B, C, A): written before ``step``
     - ``observations`` float32 (B, C, F), see ``features``
     - ``finals`` float32 (B, C, F): the last observations of episodes that ended in this step
     - ``rewards`` float32 (B, C)
-    - ``masks`` uint8 (B, C, M): 1 for what a camera may do; ``final_masks``, of ``finals``
+    - ``masks`` uint8 (B, C, M): 1 for the allowed choices of a camera; ``final_masks``: those of ``finals``
     - ``ends`` uint8 (B,): 1 where the episode ended in this step
-    - ``measures`` float32 (B, 3): share of targets covered, k_min, score by the objective
-    - ``advice`` int32 (B, C): with an ``expert``, the view that it chose at the decision before; -1 for a camera that
-      was offline or on its way, and did not decide
-    - ``details`` float32 (B, C, 3), with the setting of that name, else 0: of the last step how many targets a camera
-      detected, how many of them no other one did, and how many bits it sent
+    - ``measures`` float32 (B, 3): the share of targets covered, k_min, and the score by the objective
+    - ``advice`` int32 (B, C): with an ``expert``, the view that it chose at the last decision; -1 for a camera that
+      did not decide, since it was offline or moving
+    - ``details`` float32 (B, C, 3): with the setting of that name, the number of targets that a camera detected in the
+      last step, the number that only this camera detected, and the bits that it sent; 0 without the setting
     - ``states`` float32 (B, S): written by ``state``
 
-    Settings are given by name; the simulator checks them and has their defaults:
-
-    - those of a run: detection, threshold, detect, objective, channel, order, headings, steps (of an episode) and seed (of the
-      first world), as the options of ``hificamsim run``
+    Settings are given by name. The simulator checks them, and has their defaults:
+    - settings of a run: detection, threshold, detect, objective, channel, order, headings, steps (of an episode) and seed
+      (of the first world), like the options of ``hificamsim run``
     - reward: coverage, kmin, score, difference or thesis
-    - actions: view (the number of a view), steps (pan and zoom, each down, stay or up) or rates (how fast it turns and
-      zooms; in ``actions`` from 0, to the left or narrower, over 1000, not at all, to 2000)
-    - targets, neighbours: how many of the nearest seen targets and of the nearest cameras are observed
+    - actions: view (the number of a view), steps (pan and zoom, each down, stay or up) or rates (the speeds of turning and
+      zooming; in ``actions`` from 0, to the left or narrower, over 1000, which stops, to 2000)
+    - targets, neighbours: the number of nearest seen targets, and of nearest cameras, in an observation
     - belief: whether observations end with what each view of a camera promises by the belief that the cameras share;
       see ``of_views``
-    - auto_reset: True or ``same-step``: the next episode begins within the call that ends one; ``next-step``: in the
-      call that follows, whose actions do not count; False or ``disabled``: after a ``reset``
-    - expert: a policy, as ``cooperative``, that is asked in each step what it would do: ``advice``; an action of -1
-      does it
+    - auto_reset: True or ``same-step``: the next episode begins in the call that ends one; ``next-step``: in the
+      following call, whose actions have no effect; False or ``disabled``: after a ``reset``
+    - expert: a policy, such as ``cooperative``, whose choices of each step are in ``advice``; an action of -1 adopts
+      them
     - details: whether ``details`` are measured; environments have them in ``infos``
-    - paints: whether ``picture`` will be asked for
-    - saves: whether ``save`` will be asked for; by default, with at most 1,000 worlds
-
+    - paints: whether ``picture`` may be called
+    - saves: whether ``save`` may be called; by default yes with at most 1,000 worlds
     :param scenario: a name of ``scenarios()`` or ``tasks()``, or a file
-    :param testing: whether the testing seeds of a task are allowed, for those who check entries
-    :param threads: that share the worlds; by default as many as there are processors, from 16 worlds on
-    :param backend: jvm (in this process) or process; by default jvm where JPype is installed
+    :param testing: whether the testing seeds of a task are allowed, for checking entries
+    :param threads: the number of threads that share the worlds; by default that of the processors for 16 or more worlds
+    :param backend: jvm (in this process) or process; by default jvm if JPype is installed
     """
 
     def __init__(
@@ -121,7 +117,7 @@ class Worlds(Remade):
         self._check_seed(whole(settings.get("seed") or 0, "seed"), num_envs)
         if threads is None:
             threads = (os.cpu_count() or 1) if num_envs >= 16 else 1
-        #: What was asked for, by name.
+        #: The settings by name, without those that have their defaults.
         self.settings = {key: plain(value, key) for key, value in settings.items() if value is not None}
         for name, expected in (("worlds", "num_envs"), ("task", "a task's name as scenario")):
             if name in settings:
@@ -132,21 +128,21 @@ class Worlds(Remade):
         self._backend = open_backend(backend, {**self.settings, **own})
         self._begun = False
         self._closed = False
-        said = self._backend.description
-        self.name: str = said["scenario"]
-        self.cameras: list[str] = said["cameras"]
-        self.views: list[int] = said["views"]
-        self.num_targets: int = said["targets"]
-        #: How many steps an episode has: those asked for, else the scenario's, else 1000.
-        self.episode_steps: int = said["steps"]
-        self.run_settings: list[str] = said["settings"]
-        self.choices: list[int] = said["choices"]
-        #: What an action is.
+        description = self._backend.description
+        self.name: str = description["scenario"]
+        self.cameras: list[str] = description["cameras"]
+        self.views: list[int] = description["views"]
+        self.num_targets: int = description["targets"]
+        #: The number of steps of an episode: that of the settings, or else the scenario's, or else 1000.
+        self.episode_steps: int = description["steps"]
+        self.run_settings: list[str] = description["settings"]
+        self.choices: list[int] = description["choices"]
+        #: The kind of actions: view, steps or rates.
         self.kind: str = str(self.settings.get("actions", "view"))
-        #: The least that a number of an action may be: -1, which does what the expert advises, or 0.
+        #: The least value in an action: -1, which adopts the expert's choice, or 0.
         self.least_action = -1 if "expert" in self.settings and self.kind != "rates" else 0
-        self.features: list[dict[str, Any]] = said["features"]
-        arrays = {part["name"]: self._array(part) for part in said["sections"]}
+        self.features: list[dict[str, Any]] = description["features"]
+        arrays = {part["name"]: self._array(part) for part in description["sections"]}
         self._arrays = list(arrays)
         self.actions = arrays["actions"]
         self.observations = arrays["observations"]
@@ -171,14 +167,13 @@ class Worlds(Remade):
         return shaped
 
     def bounds(self) -> tuple[Array, Array]:
-        """The least and the most that each number of an observation can be, (F,) each."""
+        """Returns the lowest and the highest value of each number of an observation, (F,) each."""
         low = np.array([feature["low"] for feature in self.features], np.float32)
         return low, np.array([feature["high"] for feature in self.features], np.float32)
 
     def of_views(self, observations: Array) -> Array:
-        """The belief in observations (..., F): float32 (..., V, 10), a row for each view, the numbers as in ``features``.
-
-        V is the number of views of the camera that has most; the rows of views that a camera has not are 0.
+        """Returns the belief in observations (..., F): float32 (..., V, 10), a row for each view with numbers as in
+        ``features``. V is the greatest number of views of a camera; rows of views that a camera does not have are 0.
         """
         names = [feature["name"] for feature in self.features]
         first = names.index("view0_exists") if "view0_exists" in names else len(names)
@@ -189,11 +184,11 @@ class Worlds(Remade):
         return belief
 
     def reset(self, seed: int | None = None) -> None:
-        """Begins an episode in every world: of new seeds from this one on, or each its next one."""
+        """Begins an episode in every world: that of ``seed + i`` in world i, or the next one."""
         self.reset_world(-1, seed)
 
     def reset_world(self, world: int, seed: int | None = None) -> None:
-        """Begins an episode in one world, of this seed or its next one; the others stay as they are."""
+        """Begins an episode in one world, that of a seed or the next one; other worlds are unchanged."""
         number = 0 if seed is None else whole(seed, "seed")
         world = whole(world, "world", -1, self.num_envs - 1)
         if seed is not None:
@@ -201,29 +196,29 @@ class Worlds(Remade):
         self._backend.reset(world, number, seed is not None)
 
     def _check_seed(self, seed: int, count: int) -> None:
-        """Refuses seeds that are kept for testing."""
+        """Rejects seeds that are kept for testing."""
         for refused in self._refused_seeds:
             if seed <= refused < seed + count:
                 raise InputError(f"seed {refused} is for testing, expected one below {TESTING[0] - 1}")
 
     def begin(self, seed: int | None) -> None:
-        """As ``reset``; but the first time, no seed means that of the settings."""
+        """Begins an episode like ``reset``, but the first call without a seed uses that of the settings."""
         if seed is None and not self._begun:
             seed = self.episode_seed()
         self.reset(seed)
         self._begun = True
 
     def state(self) -> Array:
-        """The state of every world, (B, S); a view."""
+        """Writes and returns the state of every world, (B, S), without copying it."""
         self._backend.state()
         return self.states
 
     def save(self, own: Any = None) -> State:
-        """The state of all worlds, from which ``restore`` goes on exactly; ``own`` is kept with it."""
+        """Returns the state of all worlds, from which ``restore`` continues exactly, together with ``own``."""
         return State(self._backend.save(), self._identity(), own)
 
     def restore(self, state: State) -> None:
-        """Goes on from a state of these worlds, or of others with the same settings."""
+        """Continues from a state of these worlds, or of others with the same settings."""
         if not isinstance(state, State):
             raise InputError(f"state is {shown(state)}, expected what save() returned")
         state.check(self._identity())
@@ -231,31 +226,31 @@ class Worlds(Remade):
         self._begun = True
 
     def _identity(self) -> dict[str, Any]:
-        """The settings that the worlds of a state must have."""
-        asked = {name: value for name, value in self.settings.items() if name not in ("seed", "paints", "saves")}
-        return {"scenario": self.name, "num_envs": self.num_envs, "testing": self._testing, **asked}
+        """Returns the settings that the worlds of a state must share."""
+        settings = {name: value for name, value in self.settings.items() if name not in ("seed", "paints", "saves")}
+        return {"scenario": self.name, "num_envs": self.num_envs, "testing": self._testing, **settings}
 
     def played(self) -> Array:
-        """The actions of the first world's episode so far, int32 (steps, C, A)."""
+        """Returns the actions of the first world's episode so far, int32 (steps, C, A)."""
         data = self._backend.save()
-        at = self._backend.description["bytes"] + 16  # after the memory, and the seed and number of the episode
-        count = int.from_bytes(data[at : at + 4], "big")
-        return np.frombuffer(data, ">i2", count, at + 4).astype(np.int32).reshape(-1, *self.actions.shape[1:])
+        start = self._backend.description["bytes"] + 16  # after the memory, and the seed and number of the episode
+        count = int.from_bytes(data[start : start + 4], "big")
+        return np.frombuffer(data, ">i2", count, start + 4).astype(np.int32).reshape(-1, *self.actions.shape[1:])
 
     def episode_seed(self) -> int:
-        """The seed of the episode that the first world is in."""
+        """Returns the seed of the present episode of the first world."""
         return self._backend.seed()
 
     def picture(self, width: int = 800, world: int = 0) -> Array:
-        """A world as it is now, uint8 (height, width, 3); ``width`` from 1 to 10,000."""
-        pixels = whole(width, "width", -(2**31), 2**31 - 1)  # the simulator knows how wide a picture may be
+        """Returns a picture of a world, uint8 (height, width, 3); ``width`` is from 1 to 10,000."""
+        pixels = whole(width, "width", -(2**31), 2**31 - 1)  # the simulator checks the range
         data = self._backend.picture(whole(world, "world", 0, self.num_envs - 1), pixels)
         wide, high = np.frombuffer(data, ">i4", 2)
         picture: Array = np.frombuffer(data, np.uint8, offset=8).reshape(high, wide, 3).copy()
         return picture
 
     def close(self) -> None:
-        """Ends the worlds. A JVM in this process goes on: it can be started only once.
+        """Ends the worlds. A JVM in this process continues, since it can be started only once.
 
         The arrays become copies, so that the shared memory is freed.
         """
@@ -282,9 +277,9 @@ def require_episode(worlds: Worlds, playing: bool) -> None:
 def rendered(
     scenario: str | os.PathLike[str], mode: str | None, modes: list[str], settings: dict[str, Any], **own: Any
 ) -> Worlds:
-    """Worlds that are painted where an environment's ``render_mode`` says so, which is None or one of ``modes``.
-
-    :param own: settings of the environment, which its user does not choose
+    """Makes worlds of an environment, which are painted unless its ``render_mode`` is None.
+    :param mode: the ``render_mode``, None or one of ``modes``
+    :param own: settings that the environment makes and its user cannot choose
     """
     for name in ("paints", *own):
         if name in settings:

@@ -1,4 +1,4 @@
-"""What the tests share."""
+"""Fixtures that the tests share."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ BACKENDS = ["jvm", "process"]
 
 @pytest.fixture(params=BACKENDS)
 def backend(request: pytest.FixtureRequest) -> str:
-    """Either way across."""
+    """Runs a test with each backend."""
     return str(request.param)
 
 
 @pytest.fixture
 def onnx_runtime(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What plays networks, beside the jars of the package."""
+    """Adds ONNX Runtime, which plays trained networks, to the class path."""
     installed = pathlib.Path(__file__).resolve().parents[2] / "onnx/build/install/onnx"
     if not installed.exists():
         pytest.skip("no ONNX Runtime: gradle :onnx:libraries")

@@ -1,4 +1,4 @@
-"""Calls of the package with wrong values: each does its work, or is refused in one line and nothing has moved.
+"""Calls the package with wrong values: each call either works, or is rejected in one line without any effect.
 
     python tests/fuzz_calls.py [CALLS [SEED]]        5,000 by default; exit code 1 if any was answered in another way
 """
@@ -62,7 +62,7 @@ class Calls:
                 self.refused += 1
                 if "\n" in str(fault) or "Exception" in str(fault) or len(str(fault)) > 1000:
                     self.wrong.append(f"{said}: {fault}")
-            except Exception as fault:  # what should not be
+            except Exception as fault:  # any other exception is an error
                 self.wrong.append(f"{said}: {type(fault).__name__}: {fault}")
             took = time.process_time() - began
             self.longest = max(self.longest, took)
@@ -70,7 +70,7 @@ class Calls:
                 self.wrong.append(f"{said}: {took:.1f} s")
 
     def act(self) -> tuple[str, Callable[[], object]]:
-        """Actions with one or more odd values; where they are refused, nothing has moved."""
+        """Steps with one or more odd values as actions; checks that rejected actions have no effect."""
         kind, env = self.chance.choice(list(self.envs.items()))
         env.reset(seed=self.chance.randrange(100))
         actions: Any = env.action_space.sample() if kind not in ("parallel", "steps", "rates") else {
@@ -109,7 +109,7 @@ class Calls:
         return f"{kind}.reset(seed={seed!r:.200})", lambda: env.reset(seed=seed)
 
     def make(self) -> tuple[str, Callable[[], object]]:
-        """Environments with one or two odd settings; numbers of worlds that would fit are left out."""
+        """Makes environments with one or two odd settings."""
         make = self.chance.choice([hificamsim.parallel_env, hificamsim.vector_env, hificamsim.single_env, hificamsim.Worlds])
         settings = {self.chance.choice(SETTINGS): self.chance.choice(ODD) for _ in range(self.chance.randrange(1, 3))}
         scenario = self.chance.choice(["campus", "cluster-random", self.chance.choice(ODD)])
@@ -123,7 +123,7 @@ class Calls:
         return f"{make.__name__}({scenario!r:.100}, {settings!r:.200})", made
 
     def read(self) -> tuple[str, Callable[[], object]]:
-        """Results of folders that are none."""
+        """Reads results of odd folders, or makes environments of odd ids."""
         odd = self.chance.choice(ODD)
         call = self.chance.choice([hificamsim.read_results, hificamsim.scenarios])
         if call is hificamsim.scenarios:

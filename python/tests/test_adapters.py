@@ -1,6 +1,5 @@
-"""The adapter for Stable-Baselines3, against the interface that it asks of a vector environment.
-
-The library itself brings torch, and is tested by tests/torch.
+"""Tests the adapter for Stable-Baselines3 against the interface of its vector environments.
+The library itself needs torch; tests/torch has tests with it.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ import hificamsim
 
 
 class VecEnv:
-    """What Stable-Baselines3's class of this name does for those that extend it."""
+    """A stand-in for the class of this name in Stable-Baselines3."""
 
     def __init__(self, num_envs: int, observation_space: Any, action_space: Any) -> None:
         self.num_envs = num_envs
@@ -35,7 +34,7 @@ class VecEnv:
 
 @pytest.fixture
 def library(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """Puts the class where the library has it."""
+    """Replaces the module of the library."""
     module = types.ModuleType("stable_baselines3.common.vec_env")
     module.VecEnv = VecEnv  # type: ignore[attr-defined]
     for name in ("stable_baselines3", "stable_baselines3.common"):

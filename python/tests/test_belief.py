@@ -1,4 +1,4 @@
-"""What observations say of each view by the shared belief."""
+"""Tests the part of observations that describes each view by the shared belief."""
 
 from __future__ import annotations
 
@@ -10,24 +10,24 @@ import hificamsim
 SETTINGS = {"steps": 80, "seed": 5}
 
 
-def test_belief_is_appended_to_observations_as_they_were(backend: str) -> None:
+def test_belief_is_appended_to_unchanged_observations(backend: str) -> None:
     with (
         hificamsim.Worlds("campus", 2, backend=backend, **SETTINGS) as plain,
-        hificamsim.Worlds("campus", 2, backend=backend, belief=True, **SETTINGS) as told,
+        hificamsim.Worlds("campus", 2, backend=backend, belief=True, **SETTINGS) as with_belief,
     ):
         size = plain.observations.shape[-1]
         random = np.random.default_rng(1)
         for _ in range(90):
-            plain.actions[..., 0] = told.actions[..., 0] = random.integers(0, plain.views, plain.actions.shape[:2])
+            plain.actions[..., 0] = with_belief.actions[..., 0] = random.integers(0, plain.views, plain.actions.shape[:2])
             plain.step()
-            told.step()
-            assert (told.observations[..., :size] == plain.observations).all()
-            assert (told.rewards == plain.rewards).all()
-            views = told.of_views(told.observations)
-            assert views.shape == (2, len(told.cameras), max(told.views), 10)
-            low, high = told.bounds()
-            assert ((told.observations >= low) & (told.observations <= high)).all()
-        assert views[..., 0].sum() == 2 * sum(told.views)
+            with_belief.step()
+            assert (with_belief.observations[..., :size] == plain.observations).all()
+            assert (with_belief.rewards == plain.rewards).all()
+            views = with_belief.of_views(with_belief.observations)
+            assert views.shape == (2, len(with_belief.cameras), max(with_belief.views), 10)
+            low, high = with_belief.bounds()
+            assert ((with_belief.observations >= low) & (with_belief.observations <= high)).all()
+        assert views[..., 0].sum() == 2 * sum(with_belief.views)
 
 
 def test_belief_is_the_same_in_every_environment() -> None:
@@ -45,7 +45,7 @@ def test_belief_is_the_same_in_every_environment() -> None:
     assert pairs["observations"].shape[1] == many.shape[-1]
 
 
-def test_greatest_gain_comes_near_cooperative_on_sites_it_was_not_made_for() -> None:
+def test_view_of_greatest_gain_scores_almost_like_cooperative() -> None:
     for scenario in ("junction", "corridor"):
         with hificamsim.Worlds(scenario, 4, belief=True, auto_reset=False, **SETTINGS) as worlds:
             worlds.begin(None)
@@ -61,7 +61,7 @@ def test_greatest_gain_comes_near_cooperative_on_sites_it_was_not_made_for() -> 
         assert score > 0.9 * expert
 
 
-def test_saved_belief_goes_on_with_the_same_bytes() -> None:
+def test_restored_belief_continues_with_same_bytes() -> None:
     with hificamsim.Worlds("hall", 1, belief=True, channel="loss=0.2,delay=2", **SETTINGS) as worlds:
         def play(count: int) -> list[bytes]:
             seen = []
@@ -78,7 +78,7 @@ def test_saved_belief_goes_on_with_the_same_bytes() -> None:
         assert play(20) == after
 
 
-def test_refuses_views_of_observations_without_belief() -> None:
+def test_rejects_views_of_observations_without_belief() -> None:
     with hificamsim.Worlds("junction", **SETTINGS) as worlds:
         with pytest.raises(hificamsim.InputError, match="expected belief=True"):
             worlds.of_views(worlds.observations)

@@ -1,4 +1,4 @@
-"""Tasks, and entries of policies in Python."""
+"""Tests tasks, and entries of policies in Python."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def test_next_episode_begins_in_following_step(backend: str) -> None:
     same.close()
 
 
-def test_rejects_seeds_that_are_no_numbers() -> None:
+def test_rejects_seeds_that_are_not_numbers() -> None:
     envs = hificamsim.vector_env("campus", 2, steps=3)
     for wrong in (np.array("a"), np.zeros((2, 2), object), "ab", [1, "b"]):
         with pytest.raises(hificamsim.InputError, match="seed|expected"):
@@ -147,7 +147,7 @@ def test_rate_policy_enters_benchmark(tmp_path: pathlib.Path) -> None:
 
 
 class Clip:
-    """In place of MoviePy's, where that is not installed (it brings a program under the GPL): what is filmed, as an array."""
+    """A stand-in for the class of MoviePy, which needs a program under the GPL: saves the frames as an array."""
 
     def __init__(self, frames: list[np.ndarray], fps: float) -> None:
         self.frames, self.fps = np.stack(frames), fps

@@ -1,4 +1,4 @@
-"""Values and actions are checked before anything moves, and errors say whose they are and what is allowed."""
+"""Tests that values and actions are checked before a step, and that errors name the value and what is allowed."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ COUNTS = np.array([[3, 5], [2, 9]], np.uint64)
 LAST = [[2, 4], [1, 8]]
 
 
-def told(actions: Any) -> Any:
-    return spaces.told(actions, COUNTS, lambda index: f"camera {index[0]}{index[1]}")
+def checked(actions: Any) -> Any:
+    return spaces.checked(actions, COUNTS, lambda index: f"camera {index[0]}{index[1]}")
 
 
 @pytest.mark.parametrize("actions", [[[0, 0], [0, 0]], LAST, tuple(map(tuple, LAST))])
-def test_accepts_whole_actions_below_count_of_any_type(actions: Any) -> None:
-    assert (told(actions) == np.array(actions)).all()
+def test_accepts_whole_numbers_below_count_of_any_type(actions: Any) -> None:
+    assert (checked(actions) == np.array(actions)).all()
     for kind in "bBhHiIlLqQ":
-        assert (told(np.array(actions, kind)) == np.array(actions)).all()
+        assert (checked(np.array(actions, kind)) == np.array(actions)).all()
 
 
 NO_ACTIONS = [-1, -128, 2**31, 2**63, 2**64, -(2**64), 1.0, 0.5, float("nan"), "1", "a\nb", None, True, np.True_, b"1", (), {}]
@@ -36,25 +36,25 @@ NO_ACTIONS = [-1, -128, 2**31, 2**63, 2**64, -(2**64), 1.0, 0.5, float("nan"), "
 
 @pytest.mark.parametrize("index", [(0, 0), (0, 1), (1, 0), (1, 1)])
 @pytest.mark.parametrize("value", [*NO_ACTIONS, "count"])
-def test_error_names_the_invalid_action(index: tuple[int, int], value: Any) -> None:
+def test_error_names_invalid_action(index: tuple[int, int], value: Any) -> None:
     count = int(COUNTS[index])
     value = count if value == "count" else value
     actions = np.array(LAST, object)
     actions[index] = value
-    said = value if isinstance(value, (int, float)) else errors.shown(value)
-    line = f"action {said} of camera {index[0]}{index[1]}, expected a whole number from 0 to {count - 1}"
+    text = value if isinstance(value, (int, float)) else errors.shown(value)
+    line = f"action {text} of camera {index[0]}{index[1]}, expected a whole number from 0 to {count - 1}"
     with pytest.raises(ValueError, match=f"^{re.escape(line)}$"):
-        told(actions)
+        checked(actions)
 
 
 @pytest.mark.parametrize("kind", "bBhHiIlLqQ")
-def test_error_names_the_invalid_action_in_integer_arrays(kind: str) -> None:
+def test_error_names_invalid_action_in_integer_array(kind: str) -> None:
     for index, count in np.ndenumerate(COUNTS):
         for value in (-1, int(count)):
             actions = np.array(LAST, kind)
             actions[index] = np.array(value).astype(kind)
             with pytest.raises(hificamsim.InputError, match=f"^action -?[0-9]+ of camera {index[0]}{index[1]}, expected"):
-                told(actions)
+                checked(actions)
 
 
 @pytest.mark.parametrize(
@@ -69,9 +69,9 @@ def test_error_names_the_invalid_action_in_integer_arrays(kind: str) -> None:
         (np.ones((2, 2), bool), "action True of camera 00, expected a whole number from 0 to 2"),
     ],
 )
-def test_rejects_values_that_are_no_integer_array(actions: Any, line: str) -> None:
+def test_rejects_values_that_are_not_integer_arrays(actions: Any, line: str) -> None:
     with pytest.raises(hificamsim.InputError, match=f"^{re.escape(line)}$"):
-        told(actions)
+        checked(actions)
 
 
 def test_space_sizes_equal_choices_of_cameras() -> None:
@@ -92,16 +92,16 @@ def test_space_sizes_equal_choices_of_cameras() -> None:
     assert spaces.action(by_rate, 0) == gymnasium.spaces.Box(-1, 1, (2,), np.float32)
     assert spaces.joint_action(by_rate) == gymnasium.spaces.Box(-1, 1, (4,), np.float32)
     limits = spaces.counts(spaces.action(by_rate))
-    assert spaces.told([-1, 0.5], limits, str).tolist() == [0, 1500]
-    assert spaces.told(np.array([1, 0]), limits, str).dtype == np.int32
-    assert spaces.told(np.array([1, -1], np.int8), limits, str).tolist() == [2000, 0]
+    assert spaces.checked([-1, 0.5], limits, str).tolist() == [0, 1500]
+    assert spaces.checked(np.array([1, 0]), limits, str).dtype == np.int32
+    assert spaces.checked(np.array([1, -1], np.int8), limits, str).tolist() == [2000, 0]
     with pytest.raises(ValueError, match="action -128 of .0,., expected a rate from -1 to 1"):
-        spaces.told(np.array([-128, 0], np.int8), limits, str)
+        spaces.checked(np.array([-128, 0], np.int8), limits, str)
     for wrong, said in ((1.5, "1.5"), (float("nan"), "nan"), (-2, "-2"), (True, "True"), ("x", "'x'")):
         with pytest.raises(ValueError, match=f"action {said} of .0,., expected a rate from -1 to 1"):
-            spaces.told([wrong, 0.5] if wrong is not True else np.array([True, 0.5], object), limits, str)
+            spaces.checked([wrong, 0.5] if wrong is not True else np.array([True, 0.5], object), limits, str)
     with pytest.raises(ValueError, match="expected a rate|expected rates"):
-        spaces.told(np.array([True, False]), limits, str)
+        spaces.checked(np.array([True, False]), limits, str)
     parts = spaces.mask(by_parts, 0, np.array([1, 0, 1, 1, 0, 1]))
     assert [part.tolist() for part in parts] == [[1, 0, 1], [1, 0], [1]]
 

@@ -1,4 +1,4 @@
-"""What each camera saw, added and sent."""
+"""Tests the details of each camera: the targets that it saw and added, and the bits that it sent."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import hificamsim
 SETTINGS = {"steps": 30, "reward": "difference", "details": True}
 
 
-def test_cameras_add_what_no_other_one_detects() -> None:
+def test_cameras_add_targets_that_no_other_camera_detects() -> None:
     with hificamsim.Worlds("campus", 2, seed=3, **SETTINGS) as worlds:
         worlds.begin(None)
         found = 0.0
@@ -48,8 +48,8 @@ def test_infos_have_details_of_each_camera(per: str) -> None:
         assert (infos["seen"].reshape(2, cameras) == envs.worlds.details[..., 0]).all()
     with contextlib.closing(hificamsim.parallel_env("campus", **SETTINGS)) as env:
         env.reset(seed=3)
-        *_, told = env.step(dict.fromkeys(env.agents, 0))
-        assert [told[camera]["seen"] for camera in env.agents] == infos["seen"].reshape(2, cameras)[0].tolist()
+        *_, camera_infos = env.step(dict.fromkeys(env.agents, 0))
+        assert [camera_infos[camera]["seen"] for camera in env.agents] == infos["seen"].reshape(2, cameras)[0].tolist()
 
 
 def test_single_environment_has_details_of_its_cameras() -> None:

@@ -1,4 +1,4 @@
-"""What docs/python.md shows runs as it stands, and it leaves out nothing that is public."""
+"""Tests that the programs of docs/python.md run, and that the page has everything public."""
 
 from __future__ import annotations
 
@@ -30,15 +30,15 @@ def test_every_snippet_runs(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPa
     assert (tmp_path / "out" / "tracker" / "report.html").exists()
 
 
-def public(of: type) -> list[str]:
-    return [name for name, what in vars(of).items() if not name.startswith("_") and inspect.isfunction(what)]
+def public(cls: type) -> list[str]:
+    return [name for name, member in vars(cls).items() if not name.startswith("_") and inspect.isfunction(member)]
 
 
 def test_reference_names_everything_public() -> None:
     api = PAGE.read_text(encoding="utf-8").split("## API")[1]
     names = [*hificamsim.__all__]
-    for one in (hificamsim.Worlds, hificamsim.CameraEnv, hificamsim.CameraVectorEnv, hificamsim.NetworkEnv):
-        names += public(one)
+    for cls in (hificamsim.Worlds, hificamsim.CameraEnv, hificamsim.CameraVectorEnv, hificamsim.NetworkEnv):
+        names += public(cls)
     gymnasiums = {"begin", "observation_space", "action_space", "close_extras"}
     missing = [name for name in sorted({*names} - gymnasiums) if f"`{name}" not in api and f" {name}" not in api]
     assert not missing
@@ -52,7 +52,7 @@ def test_page_lists_every_observation_feature_and_reward() -> None:
         for feature in worlds.features:
             name = re.sub(r"^(target|neighbour|view)\d+_", "", feature["name"])
             assert f"`{name}`" in page, feature
-    with pytest.raises(hificamsim.InputError) as said:
+    with pytest.raises(hificamsim.InputError) as fault:
         hificamsim.Worlds("campus", reward="none")
-    for reward in re.findall(r"[a-z]+", str(said.value).split("expected one of ")[1]):
+    for reward in re.findall(r"[a-z]+", str(fault.value).split("expected one of ")[1]):
         assert f"`{reward}" in page

@@ -1,4 +1,4 @@
-"""Experts: what they see and do, as data."""
+"""Tests experts, and the data of their decisions."""
 
 from __future__ import annotations
 
@@ -33,15 +33,15 @@ def test_dataset_has_only_decisions_allowed_by_masks() -> None:
     assert (pairs["actions"][mine] == first["actions"]).all()
 
 
-def test_dataset_says_what_came_of_decisions() -> None:
+def test_dataset_has_consequences_of_decisions() -> None:
     pairs = hificamsim.dataset("junction", **SETTINGS)
     step, camera = pairs["step"], pairs["camera"]
     assert (pairs["ends"] == (step == 59)).all()
     assert ((pairs["rewards"] >= 0) & (pairs["rewards"] <= 1)).all() and pairs["rewards"].any()
-    found = {(at, who): i for i, (at, who) in enumerate(zip(step, camera))}
+    rows = {key: i for i, key in enumerate(zip(step, camera))}
     compared = 0
-    for (at, who), i in found.items():
-        after = found.get((at + 1, who))
+    for (when, camera), i in rows.items():
+        after = rows.get((when + 1, camera))
         if after is not None:
             assert (pairs["next_observations"][i] == pairs["observations"][after]).all()
             assert (pairs["next_masks"][i] == pairs["masks"][after]).all()
@@ -64,6 +64,6 @@ def test_rejects_following_advice_without_expert() -> None:
 
 
 @pytest.mark.parametrize("name", ["best-fixed", "nobody"])
-def test_rejects_experts_that_need_the_whole_run(name: str) -> None:
+def test_rejects_experts_that_need_whole_run(name: str) -> None:
     with pytest.raises(hificamsim.InputError, match=f"'{name}'"):
         hificamsim.Worlds("junction", expert=name)

@@ -1,4 +1,4 @@
-"""Nothing hangs, nothing is left behind, and what is wrong is said in a line."""
+"""Tests that faults are reported in one line, and that no call hangs or leaves anything behind."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from fuzz_calls import Calls
 
 
 def python(program: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    """Runs a program of its own."""
+    """Runs a program in a Python process of its own."""
     return subprocess.run(
         [sys.executable, "-c", textwrap.dedent(program)],
         capture_output=True,
@@ -63,7 +63,7 @@ def test_worker_reports_wrong_setting_in_one_line() -> None:
         hificamsim.Worlds("campus", reward="cover", backend="process")
 
 
-def test_a_worker_names_settings_as_keywords() -> None:
+def test_worker_names_settings_as_keywords() -> None:
     with pytest.raises(hificamsim.InputError, match="^steps= is 0, expected a whole number from 1"):
         hificamsim.Worlds("campus", steps=0, backend="process")
 
@@ -75,7 +75,7 @@ def test_a_worker_names_settings_as_keywords() -> None:
         ({"cells": 9}, "error: cells= needs heatmap="),
     ],
 )
-def test_a_run_names_settings_as_keywords(settings: dict[str, object], message: str) -> None:
+def test_run_names_settings_as_keywords(settings: dict[str, object], message: str) -> None:
     with pytest.raises(hificamsim.InputError) as fault:
         hificamsim.run("campus", **settings)
     assert str(fault.value).startswith(message)
@@ -111,8 +111,8 @@ def test_rejects_invalid_action_before_moving_anything(backend: str) -> None:
         env.step(dict.fromkeys(env.agents[:-1], 0))
     fresh = hificamsim.parallel_env("cluster-random", backend=backend)
     fresh.reset(seed=1)
-    told = dict.fromkeys(env.agents, 3)
-    assert env.step(told)[1] == fresh.step(told)[1]
+    actions = dict.fromkeys(env.agents, 3)
+    assert env.step(actions)[1] == fresh.step(actions)[1]
     env.close()
     fresh.close()
 
@@ -181,8 +181,8 @@ def test_environments_in_one_process_are_independent() -> None:
     for _ in range(2):
         envs = [hificamsim.Worlds("campus", 2, backend=backend) for backend in ("jvm", "process", "jvm")]
         for _ in range(100):
-            for one in envs:
-                one.step()
+            for worlds in envs:
+                worlds.step()
         envs[0].close()
         envs[2].step()
         envs[1].step()
@@ -294,7 +294,7 @@ STEPPING = """
 
 
 def signalled(program: str, number: signal.Signals, folder: pathlib.Path) -> tuple[int, str]:
-    """How a program ended that got a signal while it was stepping worlds, and what it said."""
+    """Sends a signal to a program that steps worlds, and returns its exit code and its output."""
     with subprocess.Popen(
         [sys.executable, "-c", textwrap.dedent(program)], stdout=subprocess.PIPE, text=True, cwd=folder
     ) as running:
@@ -342,14 +342,14 @@ def test_signal_handler_of_user_runs(backend: str, tmp_path: pathlib.Path) -> No
 
 
 def action(number: int) -> int:
-    """The function that the process calls on a signal, as the C library knows it; the first field of its struct."""
+    """Returns the handler of a signal as the C library knows it, which is the first field of its struct."""
     known = ctypes.create_string_buffer(256)
     assert ctypes.CDLL(None).sigaction(number, None, known) == 0
     return int.from_bytes(known.raw[: ctypes.sizeof(ctypes.c_void_p)], sys.byteorder)
 
 
 def test_window_keeps_signals_of_jvm() -> None:
-    """A JVM stops its threads with SIGSEGV, now and then: who takes that for a crash ends the process."""
+    """A JVM stops its threads by SIGSEGV now and then, which must not end the process as a crash."""
     signals = [signal.SIGSEGV, signal.SIGBUS, signal.SIGFPE, signal.SIGILL, signal.SIGINT, signal.SIGTERM]
     env = hificamsim.parallel_env("cluster-random", render_mode="human", backend="jvm")
     env.reset(seed=1)
@@ -388,7 +388,7 @@ def test_second_ctrl_c_does_not_wait_for_hanging_worker() -> None:
 
 
 def memory() -> int:
-    """Resident kilobytes of this process."""
+    """Returns the resident memory of this process, kilobytes."""
     status = pathlib.Path("/proc/self/status").read_text()
     return int(status.split("VmRSS:")[1].split()[0])
 

@@ -1,4 +1,4 @@
-"""PettingZoo's and Gymnasium's own tests, and what they leave out."""
+"""Runs the tests of PettingZoo and Gymnasium, and tests what they omit."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_pettingzoo_equal_action_spaces() -> None:
 
 def test_pettingzoo_max_cycles() -> None:
     class Module:
-        """What max_cycles_test expects of a module."""
+        """A module as max_cycles_test expects it."""
 
         @staticmethod
         def parallel_env(max_cycles: int) -> hificamsim.CameraEnv:
@@ -84,10 +84,10 @@ def test_rates_turn_cameras_by_any_amount_and_are_reported(tmp_path: pathlib.Pat
     _, infos = env.reset(seed=1)
     assert env.action_space("north-east") == gymnasium.spaces.Box(-1, 1, (2,), np.float32)
     assert "action_mask" not in infos["north-east"]
-    at = next(i for i, feature in enumerate(env.worlds.features) if feature["name"] == "goal_pan")
+    index = next(i for i, feature in enumerate(env.worlds.features) if feature["name"] == "goal_pan")
     for _ in range(40):
         observations, *_ = env.step({camera: [0.5, 0] for camera in env.agents})
-    assert observations["north-east"][at] == np.float32(100 / 180)  # half of five degrees a step
+    assert observations["north-east"][index] == np.float32(100 / 180)  # half of five degrees a step
     assert env.report(tmp_path).exists()
     env.close()
 
@@ -172,7 +172,7 @@ def test_results_of_a_step_do_not_change_later() -> None:
     [("campus", "view", None), ("mate-4v8-9", "steps", None), ("junction", "view", "chance"), ("cluster-random", "steps", None)],
 )
 def test_every_number_is_within_its_bounds(scenario: str, actions: str, detect: str | None) -> None:
-    """3,000 steps of random actions, half of them against their masks."""
+    """Plays 3,000 steps of random actions, half of which the masks forbid."""
     steps = 3000
     detection = "hifi:orb-lin" if detect else None  # chance needs a model with the scatter of its fit
     with hificamsim.Worlds(
@@ -189,7 +189,7 @@ def test_every_number_is_within_its_bounds(scenario: str, actions: str, detect: 
             assert ((worlds.finals >= low) & (worlds.finals <= high)).all()
             assert (np.abs(worlds.state()) <= 1).all()
             assert ((worlds.rewards >= 0) & (worlds.rewards <= 1)).all()
-            assert (worlds.masks.max(axis=2) == 1).all(), "something may always be done"
+            assert (worlds.masks.max(axis=2) == 1).all(), "some choice is always allowed"
             least, most = np.minimum(least, seen.min(axis=0)), np.maximum(most, seen.max(axis=0))
         assert (most > least).sum() >= 14, "many numbers change"
 

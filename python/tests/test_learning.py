@@ -1,4 +1,4 @@
-"""The example that trains: it learns, and what it exports decides as NumPy does."""
+"""Tests the example of training: scores rise, and the exported policy chooses like NumPy."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def test_same_seed_gives_same_training() -> None:
 def test_gradients_match_loss() -> None:
     random = np.random.default_rng(1)
     network = ppo.Network([3, 5, 2], 1.0, random)
-    network.weights = [one.astype(np.float64) for one in network.weights]
+    network.weights = [weight.astype(np.float64) for weight in network.weights]
     inputs, wanted = random.standard_normal((7, 3)), random.standard_normal((7, 2))
 
     def loss() -> float:
@@ -53,29 +53,29 @@ def test_gradients_match_loss() -> None:
     layers = network.layers(inputs)
     slopes = network.slopes(layers, layers[-1] - wanted)
     for weight, slope in zip(network.weights, slopes):
-        for at in np.ndindex(weight.shape):
-            kept = weight[at]
-            weight[at] = kept + 1e-6
+        for index in np.ndindex(weight.shape):
+            original = weight[index]
+            weight[index] = original + 1e-6
             more = loss()
-            weight[at] = kept - 1e-6
+            weight[index] = original - 1e-6
             less = loss()
-            weight[at] = kept
-            assert (more - less) / 2e-6 == pytest.approx(slope[at], abs=1e-5)
+            weight[index] = original
+            assert (more - less) / 2e-6 == pytest.approx(slope[index], abs=1e-5)
 
 
 def test_shipped_policy_chooses_like_its_file() -> None:
     pytest.importorskip("onnx")
     import greedy
 
-    made = greedy.choices(
+    views = greedy.choices(
         EXAMPLES / "trained" / "border.onnx", "border", "ttpf:task=recognise", seed=100, steps=100
     )
     lines = (EXAMPLES / "trained" / "choices.csv").read_text().splitlines()
-    assert [",".join(map(str, row)) for row in made] == lines
+    assert [",".join(map(str, row)) for row in views] == lines
 
 
 def test_cameras_learn_to_turn_and_zoom_by_rates() -> None:
-    """By evolution strategies (Salimans and others, 2017) of the simplest policy: rates are sums of what it observes."""
+    """Trains a linear policy by evolution strategies (Salimans and others, 2017)."""
     pairs, size = 16, 0.1
     random = np.random.default_rng(1)
     with contextlib.closing(

@@ -1,4 +1,4 @@
-"""The notebook runs from its top to its bottom, and says what is true."""
+"""Tests that the notebooks run, and that their statements hold."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def test_notebook_runs(notebook: Any) -> None:
     assert sum("image/png" in data for data in shown) == 3
 
 
-OTHERS = {"compare-policies": 2, "detection-models": 1, "many-worlds": 1, "place-cameras": 1}  # their pictures
+OTHERS = {"compare-policies": 2, "detection-models": 1, "many-worlds": 1, "place-cameras": 1}  # numbers of pictures
 
 
 @pytest.mark.parametrize("name", OTHERS)

@@ -1,4 +1,4 @@
-"""Decisions of an expert as Minari datasets."""
+"""Tests writing and reading decisions of an expert as Minari datasets."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def _kept_in(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.parametrize("data_format", ["hdf5", "arrow"])
-def test_minari_gives_back_what_was_written(data_format: str) -> None:
+def test_minari_returns_decisions_as_written(data_format: str) -> None:
     decisions = hificamsim.dataset("junction", episodes=2, idle=True, **SETTINGS)
     hificamsim.to_minari(decisions, "cameras/junction-v0", data_format=data_format)
     read = hificamsim.from_minari("cameras/junction-v0")
@@ -41,7 +41,7 @@ def test_minari_has_an_episode_for_each_camera() -> None:
         assert episode.infos["action_mask"][np.arange(40), episode.actions].all()
 
 
-def test_idle_rows_come_beside_decisions() -> None:
+def test_idle_adds_rows_to_decisions() -> None:
     chosen = hificamsim.dataset("junction", **SETTINGS)
     whole = hificamsim.dataset("junction", idle=True, **SETTINGS)
     kept = {(step, camera): i for i, (step, camera) in enumerate(zip(whole["step"], whole["camera"]))}
@@ -55,7 +55,7 @@ def test_rejects_decisions_that_lack_steps() -> None:
         hificamsim.to_minari(hificamsim.dataset("junction", **SETTINGS), "junction-v0")
 
 
-def test_rejects_datasets_of_others() -> None:
+def test_rejects_foreign_datasets() -> None:
     from gymnasium.spaces import Discrete
     from minari.data_collector import EpisodeBuffer
 

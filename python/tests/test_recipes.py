@@ -1,4 +1,4 @@
-"""The recipes learn, keep what they learned, and write policies that play any site."""
+"""Tests that the recipes learn, resume, and write policies that play any site."""
 
 from __future__ import annotations
 
@@ -32,10 +32,10 @@ TASK = "bench/passage-v1"
 
 
 def train(recipe: str, out: pathlib.Path, *words: object, rounds: int = 1) -> list[dict[str, str]]:
-    """Trains as the command line does; the curve."""
+    """Trains as the command line does, and returns the curve."""
     with pytest.MonkeyPatch.context() as patch:
-        said = [recipe, *words, "--tasks", TASK, "--rounds", rounds, "--out", out]
-        patch.setattr(sys, "argv", [str(word) for word in said])
+        words_of_call = [recipe, *words, "--tasks", TASK, "--rounds", rounds, "--out", out]
+        patch.setattr(sys, "argv", [str(word) for word in words_of_call])
         importlib.import_module(recipe).main()
     with (out / "curve.csv").open() as file:
         return list(csv.DictReader(file))
@@ -50,7 +50,7 @@ def imitation(tmp_path_factory: pytest.TempPathFactory) -> pathlib.Path:
     return out
 
 
-def test_imitation_chooses_as_its_expert(imitation: pathlib.Path) -> None:
+def test_imitation_chooses_like_its_expert(imitation: pathlib.Path) -> None:
     curve = list(csv.DictReader((imitation / "curve.csv").open()))
     assert 0.4 < float(curve[1]["passage-v1"]) <= 1 and curve[1]["score"] == curve[1]["passage-v1"]
     assert float(curve[1]["agreement"]) > 0.75 and float(curve[1]["loss"]) < 0.7 * float(curve[0]["loss"])
@@ -72,7 +72,7 @@ def test_imitation_enters_the_benchmark_and_is_verified(
     assert "fresh seeds" in (tmp_path / "board" / "leaderboard.csv").read_text()
 
 
-def test_measured_scores_are_those_of_the_benchmark(imitation: pathlib.Path, tmp_path: pathlib.Path) -> None:
+def test_measured_scores_equal_those_of_benchmark(imitation: pathlib.Path, tmp_path: pathlib.Path) -> None:
     choose = learners.best(learners.actor_of(imitation))
 
     def policy(observations: learners.Array, masks: learners.Array) -> learners.Array:
@@ -93,7 +93,7 @@ def test_measured_scores_are_those_of_the_benchmark(imitation: pathlib.Path, tmp
 
 
 @pytest.mark.parametrize("recipe, method", [("improve", "ippo"), ("improve", "mappo"), ("qmix", "vdn"), ("qmix", "qmix")])
-def test_reinforcement_goes_on_from_imitation(
+def test_reinforcement_starts_from_imitation(
     recipe: str, method: str, imitation: pathlib.Path, tmp_path: pathlib.Path
 ) -> None:
     curve = train(recipe, tmp_path, method, "--start", imitation, rounds=2)
@@ -103,7 +103,7 @@ def test_reinforcement_goes_on_from_imitation(
     assert onnx.load(tmp_path / "policy.onnx").graph.output[0].name == "values"
 
 
-def test_interrupted_training_gives_the_same_network(imitation: pathlib.Path, tmp_path: pathlib.Path) -> None:
+def test_resumed_training_gives_same_network(imitation: pathlib.Path, tmp_path: pathlib.Path) -> None:
     train("improve", tmp_path / "whole", "mappo", rounds=2)
     train("improve", tmp_path / "parts", "mappo", rounds=1)
     train("improve", tmp_path / "parts", "mappo", rounds=2)
@@ -112,7 +112,7 @@ def test_interrupted_training_gives_the_same_network(imitation: pathlib.Path, tm
 
 
 @pytest.mark.parametrize("method", ["vdn", "qmix"])
-def test_team_has_more_of_each_better_view(method: str) -> None:
+def test_value_of_team_rises_with_each_view(method: str) -> None:
     random = np.random.default_rng(2)
     nets = qmix.networks(method, 32, None, random)
     views = random.random((8, 5, 7, learners.NUMBERS)).astype(np.float32)
@@ -125,11 +125,11 @@ def test_team_has_more_of_each_better_view(method: str) -> None:
         assert (after >= before).all() and (after > before).any()
 
 
-def test_q_learning_finds_the_view_that_pays() -> None:
-    """In a world of one step, where the share of cameras at views with a high number is what the team gets."""
+def test_q_learning_finds_rewarded_view() -> None:
+    """In a world of one step, the reward of the team is the mean of a number of the chosen views."""
     random = np.random.default_rng(3)
     nets = qmix.networks("vdn", 16, None, random)
-    nothing = jax.tree.map(jnp.zeros_like, nets)  # comes after
+    nothing = jax.tree.map(jnp.zeros_like, nets)  # the value after the step
     optimizer = optax.adam(1e-2)
 
     @jax.jit

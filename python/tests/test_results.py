@@ -1,4 +1,4 @@
-"""Runs, comparisons and folders of results as frames."""
+"""Tests runs, comparisons and folders of results as frames."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def test_run_returns_tables() -> None:
 
 def test_comparison_returns_tables_and_keeps_its_folder(tmp_path: pathlib.Path) -> None:
     folder = tmp_path / "results"
-    made = hificamsim.compare(
+    comparison = hificamsim.compare(
         "cluster-random",
         policies=["zoom-out", "random"],
         detections="hifi:orb-lin",
@@ -33,10 +33,10 @@ def test_comparison_returns_tables_and_keeps_its_folder(tmp_path: pathlib.Path) 
         repeat=2,
         out=folder,
     )
-    assert sorted(made["results"]["policy"].unique()) == ["random", "zoom-out"]
-    assert {"results", "metrics", "summary", "steps"} <= set(made.frames)
+    assert sorted(comparison["results"]["policy"].unique()) == ["random", "zoom-out"]
+    assert {"results", "metrics", "summary", "steps"} <= set(comparison.frames)
     again = hificamsim.read_results(folder)
-    assert again["results"].equals(made["results"])
+    assert again["results"].equals(comparison["results"])
 
 
 def test_run_reads_model_file_of_boxes(tmp_path: pathlib.Path) -> None:
@@ -62,9 +62,9 @@ def test_columns_equal_csv_with_types(tmp_path: pathlib.Path, monkeypatch: pytes
         pytest.skip("no Parquet: gradle :parquet:libraries")
     pytest.importorskip("pyarrow")
     monkeypatch.setenv("CLASSPATH", str(PARQUET / "*"))
-    told = {"policy": "random", "steps": 300, "repeat": 2, "record": True, "detect": "chance"}
-    text = hificamsim.run("cluster-random", **told)
-    columns = hificamsim.run("cluster-random", format="parquet", out=tmp_path, **told)
+    settings = {"policy": "random", "steps": 300, "repeat": 2, "record": True, "detect": "chance"}
+    text = hificamsim.run("cluster-random", **settings)
+    columns = hificamsim.run("cluster-random", format="parquet", out=tmp_path, **settings)
     assert set(columns.frames) == {"steps", "zooms", "targets"}
     for table, frame in columns.frames.items():
         pd.testing.assert_frame_equal(frame, text[table].astype(frame.dtypes), check_exact=True)
@@ -86,14 +86,14 @@ def test_reports_missing_libraries_in_one_line(tmp_path: pathlib.Path, monkeypat
 
 def test_empty_column_is_numeric() -> None:
     # one detection has no other to differ from, and an optimum of 0 has no parts
-    made = hificamsim.compare("cluster-random", policies="zoom-out", detections="hifi:orb-lin", steps=5)
+    comparison = hificamsim.compare("cluster-random", policies="zoom-out", detections="hifi:orb-lin", steps=5)
     for table, column in [
         ("results", "proportion_of_optimal"),
         ("summary", "difference"),
         ("aggregate", "value"),
         ("profile", "share"),
     ]:
-        values = made[table][column]
+        values = comparison[table][column]
         assert len(values) and values.isna().all(), column
         assert values.dtype == float, column
 

@@ -1,4 +1,4 @@
-"""The same seeds and actions give the same bytes: whatever the backend, the number of worlds and of threads."""
+"""Tests that the same seeds and actions give the same bytes for any backend, and any number of worlds and threads."""
 
 from __future__ import annotations
 
@@ -15,32 +15,32 @@ ACTIONS = np.random.default_rng(7).integers(0, 1 << 30, size=(STEPS, 4, 64), dty
 
 
 def hashes(num_envs: int, first: int = 0, scenario: str = "campus", **settings: object) -> list[list[str]]:
-    """What each world did in 3,000 steps of 700-step episodes, hashed every 300 steps."""
+    """Plays 3,000 steps in episodes of 700, and returns a hash of each world for every 300 steps."""
     with hificamsim.Worlds(scenario, num_envs, seed=11 + first, steps=700, **settings) as worlds:
         shape = worlds.actions.shape[1:]
         count = int(np.prod(shape))
         choices = np.resize(worlds.choices, count)
         digests = [hashlib.sha256() for _ in range(num_envs)]
-        said: list[list[str]] = [[] for _ in range(num_envs)]
+        hashes_of_worlds: list[list[str]] = [[] for _ in range(num_envs)]
         for step in range(STEPS):
-            told = ACTIONS[step, first : first + num_envs, :count] % choices
-            worlds.actions[...] = told.reshape(num_envs, *shape)
+            actions = ACTIONS[step, first : first + num_envs, :count] % choices
+            worlds.actions[...] = actions.reshape(num_envs, *shape)
             worlds.step()
             for i, digest in enumerate(digests):
                 for name in SHARED:
                     digest.update(getattr(worlds, name)[i].tobytes())
                 if step % 300 == 299:
-                    said[i].append(digest.hexdigest())
-        return said
+                    hashes_of_worlds[i].append(digest.hexdigest())
+        return hashes_of_worlds
 
 
 @pytest.fixture(scope="module")
 def expected() -> list[list[str]]:
     """Four worlds in this process, on one thread."""
-    said = hashes(4, threads=1, backend="jvm")
-    assert len({tuple(one) for one in said}) == 4, "worlds differ"
-    assert all(len(set(one)) == STEPS // 300 for one in said)
-    return said
+    hashes_of_worlds = hashes(4, threads=1, backend="jvm")
+    assert len({tuple(world) for world in hashes_of_worlds}) == 4, "worlds differ"
+    assert all(len(set(world)) == STEPS // 300 for world in hashes_of_worlds)
+    return hashes_of_worlds
 
 
 def test_same_with_other_backend_and_more_threads(expected: list[list[str]]) -> None:
@@ -74,10 +74,10 @@ def test_parallel_environment_equals_worlds(backend: str) -> None:
     observations, _ = env.reset(seed=5)
     with hificamsim.Worlds("campus", steps=300, seed=5) as worlds:
         for step in range(300):
-            told = ACTIONS[step, 0, : len(env.agents)] % worlds.views
-            worlds.actions[0, :, 0] = told
+            actions = ACTIONS[step, 0, : len(env.agents)] % worlds.views
+            worlds.actions[0, :, 0] = actions
             worlds.step()
-            observations, rewards, _, truncations, _ = env.step(dict(zip(env.agents, told)))
+            observations, rewards, _, truncations, _ = env.step(dict(zip(env.agents, actions)))
             assert list(rewards.values()) == worlds.rewards[0].tolist()
             if step < 299:
                 assert (np.stack(list(observations.values())) == worlds.observations[0]).all()

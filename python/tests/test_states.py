@@ -1,4 +1,4 @@
-"""Environments are pickled, copied, saved and restored, and used in threads."""
+"""Tests pickling, copying, saving and restoring environments, and using them in threads."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ MAKERS: dict[str, Callable[..., Any]] = {
 
 
 def played(env: Any, steps: int, seed: int) -> list[str]:
-    """All that steps of random actions return, as text."""
+    """Plays steps of random actions, and returns all their results as text."""
     random = np.random.default_rng(seed)
     results = []
     with np.printoptions(threshold=10**9, precision=17):
@@ -48,7 +48,7 @@ def played(env: Any, steps: int, seed: int) -> list[str]:
 
 
 @pytest.mark.parametrize("kind", MAKERS)
-def test_a_restored_environment_goes_on_with_the_same_bytes(kind: str, backend: str) -> None:
+def test_restored_environment_continues_with_same_bytes(kind: str, backend: str) -> None:
     with contextlib.closing(MAKERS[kind](backend=backend)) as env, contextlib.closing(MAKERS[kind]()) as other:
         env.reset(seed=7)
         played(env, 20, seed=1)
@@ -61,7 +61,7 @@ def test_a_restored_environment_goes_on_with_the_same_bytes(kind: str, backend: 
             assert played(fresh, 12, seed=2) == expected
 
 
-def test_a_state_has_the_random_streams_of_the_environment() -> None:
+def test_state_has_random_streams_of_environment() -> None:
     env = hificamsim.parallel_env("corridor")
     env.reset(seed=3)
     state = env.save()
@@ -90,7 +90,7 @@ def test_rejects_state_that_does_not_fit() -> None:
 
 @pytest.mark.parametrize("kind", MAKERS)
 @pytest.mark.parametrize("copied", [copy.deepcopy, lambda env: pickle.loads(pickle.dumps(env))], ids=["copy", "pickle"])
-def test_a_copy_is_a_new_environment_of_the_same_settings(kind: str, copied: Callable[[Any], Any]) -> None:
+def test_copy_is_new_environment_with_same_settings(kind: str, copied: Callable[[Any], Any]) -> None:
     env = MAKERS[kind]()
     env.reset(seed=5)
     played(env, 3, seed=1)
@@ -130,7 +130,7 @@ def test_gymnasium_makes_vectors_in_processes() -> None:
 
 
 @pytest.mark.parametrize("make", ["parallel", "single", "same step"])
-def test_a_step_needs_an_episode(make: str, backend: str) -> None:
+def test_step_needs_episode(make: str, backend: str) -> None:
     env = MAKERS[make](backend=backend)
     with pytest.raises(RuntimeError, match=r"expected reset\(\)"):
         env.step("nonsense")
@@ -163,7 +163,7 @@ def test_max_cycles_is_steps() -> None:
         hificamsim.parallel_env("corridor", max_cycles=7, steps=8)
 
 
-def test_final_infos_are_those_of_the_last_step() -> None:
+def test_final_infos_are_those_of_last_step() -> None:
     envs = hificamsim.vector_env("campus", 2, steps=3)
     ending = hificamsim.vector_env("campus", 2, steps=3, autoreset_mode=AutoresetMode.DISABLED)
     for env in (envs, ending):
@@ -181,9 +181,9 @@ def test_final_infos_are_those_of_the_last_step() -> None:
     ending.close()
 
 
-def test_a_policy_of_the_benchmark_may_keep_observations(tmp_path: pathlib.Path) -> None:
+def test_policy_of_benchmark_may_keep_observations(tmp_path: pathlib.Path) -> None:
     class Keeping:
-        """Counts the steps in which an observation that it has kept equals its own copy."""
+        """Counts the steps in which a kept observation is unchanged."""
 
         kept: Any = None
         equal = 0
@@ -218,7 +218,7 @@ def test_rejects_testing_seeds_of_tasks() -> None:
         assert scenario.episode_seed() == 1_000_001
 
 
-def test_one_thread_at_a_time_enters_an_environment(backend: str) -> None:
+def test_rejects_two_threads_in_one_environment(backend: str) -> None:
     env = hificamsim.vector_env("corridor", 4, steps=50, backend=backend)
     env.reset(seed=1)
     actions = env.action_space.sample()
@@ -245,7 +245,7 @@ def test_one_thread_at_a_time_enters_an_environment(backend: str) -> None:
 def test_environment_in_use_can_be_closed_afterwards() -> None:
     worlds = hificamsim.Worlds("corridor", backend="jvm")
     backend = worlds._backend
-    with backend._call._busy:  # as a thread has it that steps
+    with backend._call._busy:  # as while another thread steps
         with pytest.raises(hificamsim.InUse):
             worlds.close()
         assert backend._closer.alive
@@ -256,7 +256,7 @@ def test_environment_in_use_can_be_closed_afterwards() -> None:
 
 
 @pytest.mark.parametrize("ending", ["before", "after"])
-def test_python_exits_when_the_first_environment_is_of_a_thread(ending: str) -> None:
+def test_python_exits_if_thread_made_first_environment(ending: str) -> None:
     done = python(
         f"""
         import threading, hificamsim
@@ -278,7 +278,7 @@ def test_python_exits_when_the_first_environment_is_of_a_thread(ending: str) -> 
 
 @pytest.mark.parametrize("call", ["first.step()", 'hificamsim.Worlds("corridor", 4)'])
 @pytest.mark.parametrize("ending", ["time.sleep(.5)", "os.kill(os.getpid(), signal.SIGINT), thread.join()"])
-def test_python_exits_while_a_daemon_thread_calls_java(call: str, ending: str) -> None:
+def test_python_exits_while_daemon_thread_calls_java(call: str, ending: str) -> None:
     done = python(
         f"""
         import os, signal, threading, time, hificamsim
@@ -295,7 +295,7 @@ def test_python_exits_while_a_daemon_thread_calls_java(call: str, ending: str) -
 
 
 @pytest.mark.parametrize("options", ["-Xnonsense", "-Xmx1k", "-XX:+UseNonsenseGC"])
-def test_options_that_java_does_not_know_are_named(options: str, backend: str) -> None:
+def test_reports_options_that_java_does_not_know(options: str, backend: str) -> None:
     done = python(
         f"""
         import hificamsim
@@ -309,7 +309,7 @@ def test_options_that_java_does_not_know_are_named(options: str, backend: str) -
     assert len(done.stdout.splitlines()) == 1
 
 
-def test_another_collector_of_garbage_takes_the_place_of_ours(backend: str) -> None:
+def test_garbage_collector_of_user_replaces_default(backend: str) -> None:
     done = python(
         f"import hificamsim; hificamsim.parallel_env('corridor', backend={backend!r})",
         HIFICAMSIM_OPTS="-XX:+UseParallelGC",
@@ -317,7 +317,7 @@ def test_another_collector_of_garbage_takes_the_place_of_ours(backend: str) -> N
     assert done.returncode == 0, done.stderr
 
 
-def test_a_closed_worker_leaves_no_file_open() -> None:
+def test_closed_worker_leaves_no_file_open() -> None:
     if not os.path.isdir("/proc/self/fd"):
         pytest.skip("this system does not list the files that are open")
     before = len(os.listdir("/proc/self/fd"))
@@ -334,7 +334,7 @@ def test_rejects_setting_that_is_not_finite() -> None:
         hificamsim.Worlds("corridor", threshold=float("nan"))
 
 
-def test_every_environment_takes_the_advice_of_its_expert() -> None:
+def test_every_environment_accepts_advice_of_expert() -> None:
     for make in ("parallel", "single", "same step"):
         env = MAKERS[make](expert="cooperative")
         env.reset(seed=1)

@@ -1,4 +1,4 @@
-"""The Python programs of the tutorials print what their pages show, ``...`` for anything."""
+"""Tests that the Python programs of the tutorials print the output on their pages, in which ``...`` stands for any text."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ final class EpisodePainter implements StepListener {
   private Snapshots snapshots;
 
   /**
-   * @param setups gives the setup of the episode that begins
+   * @param setups returns the setup of the episode that begins
    */
   EpisodePainter(Supplier<Setup> setups, Detection detection) {
     this.setups = setups;

@@ -44,10 +44,10 @@ import org.hificamsim.worlds.WorldSettings.AutoReset;
 /**
  * A request of Python, parsed from JSON.
  *
- * @param asked the settings of a run
- * @param own the settings that only environments have
+ * @param settings the settings of a run
+ * @param environment the settings that only environments have
  */
-record Request(Settings asked, Environment own) {
+record Request(Settings settings, Environment environment) {
   /**
    * The settings of a run that environments have. Actions replace the policy, and episodes replace
    * repeats. Settings without an effect on episodes must be excluded here.
@@ -82,7 +82,7 @@ record Request(Settings asked, Environment own) {
    * @param actions view, steps or rates
    * @param targets the number of targets that an observation has space for
    * @param neighbours the number of neighbours that an observation has space for
-   * @param belief whether an observation says what each view promises
+   * @param belief whether an observation has what each view promises
    * @param paints whether pictures of worlds may be requested
    * @param details whether it is measured what each camera sees, adds and sends
    * @param saves whether worlds may be saved; by default if they are at most 1,000
@@ -115,18 +115,18 @@ record Request(Settings asked, Environment own) {
   }
 
   static Request parse(String json) {
-    ObjectNode own = MAPPER.createObjectNode();
+    ObjectNode environment = MAPPER.createObjectNode();
     try {
-      Settings asked = Settings.NONE;
+      Settings settings = Settings.NONE;
       for (Map.Entry<String, JsonNode> entry : MAPPER.readTree(json).properties()) {
         Optional<Setting> setting = Setting.named(entry.getKey());
         if (setting.isPresent() && SETTINGS.contains(setting.get())) {
-          asked = asked.with(setting.get(), entry.getValue().asText());
+          settings = settings.with(setting.get(), entry.getValue().asText());
         } else {
-          own.set(entry.getKey(), entry.getValue());
+          environment.set(entry.getKey(), entry.getValue());
         }
       }
-      return new Request(asked, MAPPER.treeToValue(own, Environment.class));
+      return new Request(settings, MAPPER.treeToValue(environment, Environment.class));
     } catch (UnrecognizedPropertyException e) {
       throw InputException.of(
               "unknown setting '%s', expected one of %s",
@@ -135,18 +135,20 @@ record Request(Settings asked, Environment own) {
                   .collect(Collectors.joining(", ")))
           .because(e);
     } catch (MismatchedInputException e) {
-      throw mismatch(e, own);
+      throw mismatch(e, environment);
     } catch (JsonProcessingException e) {
       throw new InputException("settings: " + e.getOriginalMessage(), e);
     }
   }
 
-  private static InputException mismatch(MismatchedInputException fault, ObjectNode own) {
+  private static InputException mismatch(MismatchedInputException fault, ObjectNode environment) {
     String name = fault.getPath().get(0).getFieldName();
-    boolean ofNumber = List.of(int.class, Integer.class).contains(fault.getTargetType());
+    boolean isNumber = List.of(int.class, Integer.class).contains(fault.getTargetType());
     return InputException.of(
             "%s is '%s', expected %s",
-            setting(name), own.get(name).asText(), ofNumber ? "a whole number" : "True or False")
+            setting(name),
+            environment.get(name).asText(),
+            isNumber ? "a whole number" : "True or False")
         .because(fault);
   }
 
@@ -159,34 +161,35 @@ record Request(Settings asked, Environment own) {
 
   /** Reads the scenario, and looks up models, rewards and policies by their names. */
   WorldSettings worldSettings(Catalogue catalogue) {
-    Path file = Path.of(own.scenario);
-    Benchmark tasks = own.task == null ? null : Benchmark.read(file, catalogue);
+    Path file = Path.of(environment.scenario);
+    Benchmark tasks = environment.task == null ? null : Benchmark.read(file, catalogue);
     if (tasks != null) {
       rejectOtherSettingsThanSeed();
     }
     Scenario scenario =
         tasks == null
-            ? asked.scenario(ScenarioReader.read(file, catalogue.movements()::knows, warning -> {}))
-            : tasks.layout(own.task, asked.seed());
-    // Rejects an unknown reward before any world is created.
-    Rewards.registry().create(own.reward);
+            ? settings.scenario(
+                ScenarioReader.read(file, catalogue.movements()::knows, warning -> {}))
+            : tasks.layout(environment.task, settings.seed());
+    // rejects an unknown reward before any world is created
+    Rewards.registry().create(environment.reward);
     return new WorldSettings(
         scenario,
-        tasks == null ? null : seed -> tasks.layout(own.task, seed),
+        tasks == null ? null : seed -> tasks.layout(environment.task, seed),
         catalogue.movements(),
-        DetectionSpec.of(asked, scenario, file, catalogue),
+        DetectionSpec.of(settings, scenario, file, catalogue),
         layout(catalogue, scenario),
-        Spelling.require(ActionKind.class, setting("actions"), own.actions),
-        () -> Rewards.registry().create(own.reward),
-        Integer.parseInt(asked.value(Setting.STEPS, scenario)),
+        Spelling.require(ActionKind.class, setting("actions"), environment.actions),
+        () -> Rewards.registry().create(environment.reward),
+        Integer.parseInt(settings.value(Setting.STEPS, scenario)),
         autoReset(),
-        own.expert == null ? null : expert(catalogue));
+        environment.expert == null ? null : expert(catalogue));
   }
 
   private ObservationLayout layout(Catalogue catalogue, Scenario scenario) {
     ObservationLayout layout =
-        new ObservationLayout(own.targets, own.neighbours, scenario.hasHeights());
-    return own.belief
+        new ObservationLayout(environment.targets, environment.neighbours, scenario.hasHeights());
+    return environment.belief
         ? layout.withViews(mostViews(new World(scenario, catalogue.movements(), 0).cameras()))
         : layout;
   }
@@ -196,32 +199,33 @@ record Request(Settings asked, Environment own) {
   }
 
   private AutoReset autoReset() {
-    return switch (own.autoReset) {
+    return switch (environment.autoReset) {
       case "true" -> AutoReset.SAME_STEP;
       case "false" -> AutoReset.DISABLED;
-      default -> Spelling.require(AutoReset.class, setting("auto_reset"), own.autoReset);
+      default -> Spelling.require(AutoReset.class, setting("auto_reset"), environment.autoReset);
     };
   }
 
-  /** Rejects settings with a task, which fixes all but the seed. */
+  /** Rejects settings other than the seed, since a task fixes them. */
   private void rejectOtherSettingsThanSeed() {
     SETTINGS.stream()
-        .filter(setting -> setting != Setting.SEED && asked.asked(setting).isPresent())
+        .filter(setting -> setting != Setting.SEED && settings.asked(setting).isPresent())
         .findFirst()
         .ifPresent(
             setting -> {
               throw InputException.of(
-                  "task %s with %s, expected the seed alone", own.task, setting(setting.label()));
+                  "task %s with %s, expected the seed alone",
+                  environment.task, setting(setting.label()));
             });
   }
 
   /** Returns a factory of experts; rejects an unknown policy, or one that needs the whole run. */
   private Supplier<ZoomPolicy> expert(Catalogue catalogue) {
-    if (catalogue.policies().create(own.expert) instanceof HindsightZoomPolicy) {
+    if (catalogue.policies().create(environment.expert) instanceof HindsightZoomPolicy) {
       throw InputException.of(
           "%s is '%s', expected a policy that knows no whole run before it begins",
-          setting("expert"), own.expert);
+          setting("expert"), environment.expert);
     }
-    return () -> catalogue.policies().create(own.expert);
+    return () -> catalogue.policies().create(environment.expert);
   }
 }

@@ -51,7 +51,7 @@ public final class Server {
    */
   public static void main(String[] args) throws IOException {
     OutputStream out = new FileOutputStream(FileDescriptor.out);
-    // Extensions of users may print, which must not disturb the protocol.
+    // users' extensions may print, which must not disturb the protocol
     System.setOut(new PrintStream(System.err, true, StandardCharsets.UTF_8));
     Thread watch = new Thread(() -> endWith(Long.parseLong(args[2])), "end of Python");
     watch.setDaemon(true);
@@ -61,7 +61,10 @@ public final class Server {
     System.exit(0);
   }
 
-  /** Checks twice a second, since a session does not see its input end while it creates worlds. */
+  /**
+   * Ends this process when Python has ended. It checks twice a second, since a session does not
+   * read its input while it creates worlds.
+   */
   private static void endWith(long python) {
     try {
       while (ProcessHandle.current()
@@ -82,7 +85,7 @@ public final class Server {
         answer(in.readByte(), in.readNBytes(in.readInt()));
       }
     } catch (EOFException e) {
-      // The client has ended.
+      // the client has ended
     }
   }
 

@@ -35,21 +35,27 @@ public final class Session implements AutoCloseable {
 
   private Session(Request request, IntFunction<ByteBuffer> memory) {
     Catalogue catalogue = Catalogue.load();
-    long seed = request.asked().seed();
+    long seed = request.settings().seed();
     settings = request.worldSettings(catalogue);
-    worlds = new Worlds(settings, request.own().worlds(), request.own().threads(), seed, memory);
-    if (request.own().saves()) {
+    worlds =
+        new Worlds(
+            settings,
+            request.environment().worlds(),
+            request.environment().threads(),
+            seed,
+            memory);
+    if (request.environment().saves()) {
       worlds.keepHistories();
     }
-    if (request.own().details()) {
+    if (request.environment().details()) {
       worlds.measureDetails();
     }
-    for (int i = 0; request.own().paints() && i < request.own().worlds(); i++) {
+    for (int i = 0; request.environment().paints() && i < request.environment().worlds(); i++) {
       int world = i;
       painters.add(new EpisodePainter(() -> setup(worlds.seed(world)), settings.detection()));
       worlds.listen(i, painters.get(i));
     }
-    if (!painters.isEmpty() || request.own().details()) {
+    if (!painters.isEmpty() || request.environment().details()) {
       worlds.reset(seed, true);
     }
   }
@@ -78,7 +84,9 @@ public final class Session implements AutoCloseable {
     worlds.step();
   }
 
-  /** Begins an episode in a world, with a seed or its next one; in all worlds if below 0. */
+  /**
+   * Begins an episode in a world, or in all worlds if it is below 0: that of a seed, or the next.
+   */
   public void reset(int world, long seed, boolean fresh) {
     if (world < 0) {
       worlds.reset(seed, fresh);

@@ -22,8 +22,8 @@ import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 
 /**
- * The Python package as a user gets it: its wheel is built and installed into a virtual
- * environment, where pytest runs {@code python/tests}; each of its tests is one here.
+ * Tests the Python package as a user gets it: its wheel is built and installed into a virtual
+ * environment, where pytest runs {@code python/tests}. Each test of pytest is a test here.
  */
 class PackageTest {
   private static final Path PYTHON = Path.of(System.getProperty("hificamsim.root"), "python");
