@@ -22,8 +22,8 @@ import org.hificamsim.hifi.model.LabDetections;
 import org.hificamsim.hifi.model.ModelFiles;
 
 /**
- * Everything that has a name: the parts that come with the simulator, and those in users' jars on
- * the class path.
+ * Finds everything that has a name: the parts that come with the simulator, and those in users'
+ * jars on the class path.
  */
 public record Catalogue(
     Registry<DetectionModel> detections,
@@ -31,7 +31,7 @@ public record Catalogue(
     Registry<Movement> movements,
     Registry<StepListener> listeners,
     Registry<NetworkModel> networks) {
-  /** The catalogue of this class path. */
+  /** Returns the catalogue of the class path. */
   public static Catalogue load() {
     Registry<DetectionModel> detections = new Registry<>("detection");
     CamSimDetections.register(detections);
@@ -56,7 +56,7 @@ public record Catalogue(
   }
 
   /**
-   * The detection model of a name or a model file.
+   * Returns the detection model of a name or a model file.
    *
    * @throws org.hificamsim.core.InputException when there is no such model or file, or the file is
    *     wrong
@@ -71,7 +71,7 @@ public record Catalogue(
   /**
    * Whether a policy is a bound, which knows what no camera can know.
    *
-   * @param policy a name, with or without options
+   * @param policy the name of a policy, with or without options
    */
   public boolean isBound(String policy) {
     return policies.create(policy) instanceof OraclePolicy;

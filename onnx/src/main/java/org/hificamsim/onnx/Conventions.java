@@ -16,7 +16,7 @@ import org.hificamsim.worlds.ActionKind;
  * heights. An input of cameras x views x numbers is the belief alone, on any site.
  *
  * @param belief whether observations end with what each view promises
- * @param seesViewsAlone whether the network reads nothing but what each view promises
+ * @param seesViewsAlone whether the network's input is what each view promises, and nothing else
  */
 record Conventions(
     ObservationLayout layout, boolean belief, boolean seesViewsAlone, ActionKind actions) {
@@ -39,7 +39,7 @@ record Conventions(
   /**
    * Returns the layout of observations for a network of cameras.
    *
-   * @param width of the input; negative if it is open
+   * @param width the width of the input; negative if it is open
    */
   ObservationLayout layout(NetworkView network, long width) {
     ObservationLayout flat = belief ? layout.withBelief(network) : layout;

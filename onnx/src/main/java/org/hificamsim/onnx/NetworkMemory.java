@@ -10,7 +10,7 @@ import org.hificamsim.core.InputException;
  * The memory of a network: an input {@value #STATE} and an output {@value #NEXT_STATE}, float32 of
  * cameras x size. An episode begins with zeros.
  *
- * @param size of a camera's state, 1 or more
+ * @param size the size of a camera's state, 1 or more
  */
 record NetworkMemory(int size) {
   static final String STATE = "state";

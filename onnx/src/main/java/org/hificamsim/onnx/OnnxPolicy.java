@@ -27,7 +27,7 @@ public final class OnnxPolicy implements ZoomPolicy {
   private ObservedPlay play;
   private ObservationLayout layout;
 
-  /** The belief in the observations, for a network that reads nothing else; else null. */
+  /** The belief in the observations; null unless the network reads nothing else. */
   private float[] beliefs;
 
   private float[] state;

@@ -118,16 +118,17 @@ final class TrainedNetwork {
     return line.replaceFirst(".*(message|initialization|\\.cc:\\d+):? ", "");
   }
 
-  private static NodeInfo only(String what, Collection<NodeInfo> nodes, String besides) {
-    List<NodeInfo> others = nodes.stream().filter(node -> !node.getName().equals(besides)).toList();
+  private static NodeInfo only(String kind, Collection<NodeInfo> nodes, String optional) {
+    List<NodeInfo> others =
+        nodes.stream().filter(node -> !node.getName().equals(optional)).toList();
     if (others.size() != 1) {
       throw InputException.of(
-          "it has %s %ss, expected one (and perhaps '%s')", others.size(), what, besides);
+          "it has %s %ss, expected one (and perhaps '%s')", others.size(), kind, optional);
     }
     return others.get(0);
   }
 
-  /** The layout of the observations that it reads of a network of cameras. */
+  /** The layout of the observations that the network needs of a network of cameras. */
   ObservationLayout layout(NetworkView network) {
     boolean flat = input.getInfo() instanceof TensorInfo tensor && tensor.getShape().length == 2;
     return conventions.layout(network, flat ? ((TensorInfo) input.getInfo()).getShape()[1] : -1);
@@ -145,7 +146,7 @@ final class TrainedNetwork {
   /**
    * Checks that the network fits these cameras.
    *
-   * @param layout of their observations
+   * @param layout the layout of the cameras' observations
    * @param width the number of values needed for each camera
    * @throws InputException when the network has other shapes
    */
@@ -167,27 +168,27 @@ final class TrainedNetwork {
     require("output", output, new long[] {cameras, width}, values);
   }
 
-  private void require(String what, NodeInfo node, long[] wanted, String meaning) {
+  private void require(String kind, NodeInfo node, long[] required, String meaning) {
     boolean fits =
         node.getInfo() instanceof TensorInfo tensor
             && tensor.type == OnnxJavaType.FLOAT
-            && tensor.getShape().length == wanted.length
-            && IntStream.range(0, wanted.length)
-                .allMatch(i -> fits(tensor.getShape()[i], wanted[i]));
+            && tensor.getShape().length == required.length
+            && IntStream.range(0, required.length)
+                .allMatch(i -> fits(tensor.getShape()[i], required[i]));
     if (!fits) {
       throw new InputException(
           file
-              + ": %s '%s' is %s".formatted(what, node.getName(), text(node))
+              + ": %s '%s' is %s".formatted(kind, node.getName(), text(node))
               + ", expected float32 of "
-              + shape(wanted)
+              + shape(required)
               + ": "
               + meaning);
     }
   }
 
-  /** Whether a dimension has the wanted length or, if negative, any. */
-  private static boolean fits(long length, long wanted) {
-    return length == wanted || length < 0;
+  /** Whether a dimension has the required length, or is open, which a negative length means. */
+  private static boolean fits(long length, long required) {
+    return length == required || length < 0;
   }
 
   private static String text(NodeInfo node) {
@@ -205,9 +206,9 @@ final class TrainedNetwork {
   /**
    * Computes the value of each choice of each camera.
    *
-   * @param observations one row for each camera
-   * @param state of each camera, one row each; replaced by the next one
-   * @param values receives one row for each camera
+   * @param observations the observations, a row for each camera
+   * @param state the state, a row for each camera; replaced by the next state
+   * @param values receives the values, a row for each camera
    * @throws InputException when the network fails or a value is NaN
    */
   void value(int cameras, float[] observations, float[] state, float[] values) {

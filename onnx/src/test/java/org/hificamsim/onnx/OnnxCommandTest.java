@@ -58,7 +58,7 @@ class OnnxCommandTest {
   }
 
   @Test
-  void comparesTheSameOnAnyNumberOfThreads() throws IOException {
+  void comparisonHasSameResultsOnAnyNumberOfThreads() throws IOException {
     String policies = "random,onnx:" + Shipped.file("linear.onnx");
     assertEquals(0, compare(policies, folder.resolve("a"), "--threads", 1), errors::toString);
     assertEquals(0, compare(policies, folder.resolve("b"), "--threads", 4), errors::toString);
@@ -68,7 +68,7 @@ class OnnxCommandTest {
   }
 
   @Test
-  void resultFolderContainsTheNetwork() throws IOException {
+  void resultFolderContainsNetwork() throws IOException {
     Path out = folder.resolve("out");
     assertEquals(
         0,
@@ -93,7 +93,7 @@ class OnnxCommandTest {
   }
 
   @Test
-  void fileNameWithEqualsSignNeedsTheKey() throws IOException {
+  void fileNameWithEqualsSignNeedsKey() throws IOException {
     Path file = Files.createDirectories(folder.resolve("lr=0.1:b")).resolve("p.onnx");
     Files.copy(Shipped.file("linear.onnx"), file);
     assertEquals(0, compare("onnx:file=" + file, folder.resolve("c")), errors::toString);
@@ -101,7 +101,7 @@ class OnnxCommandTest {
   }
 
   @Test
-  void runKeyDependsOnTheFilesContent() throws IOException {
+  void runKeyDependsOnContentOfFile() throws IOException {
     Path file = folder.resolve("p.onnx");
     Files.copy(Shipped.file("linear.onnx"), file);
     RunKey before = key("onnx:" + file);
@@ -143,7 +143,7 @@ class OnnxCommandTest {
   }
 
   @Test
-  void repeatsOnlyTheReasonOfOnnxRuntimeErrors() throws IOException {
+  void reportsOnlyReasonOfOnnxRuntimeError() throws IOException {
     byte[] damaged = Files.readAllBytes(Shipped.file("linear.onnx"));
     int biasLength = 11_540;
     damaged[biasLength] ^= 0x40;

@@ -26,7 +26,7 @@ class OnnxPolicyTest {
   private static final int STEPS = 300;
 
   @Test
-  void choosesTheCamerasViewOfHighestValue() {
+  void choosesViewOfHighestValue() {
     ExpectedChoices views =
         new ExpectedChoices("linear.onnx", ObservationLayout.DEFAULT, 65) {
           @Override
@@ -40,7 +40,7 @@ class OnnxPolicyTest {
   }
 
   @Test
-  void stepsFromTheCurrentViewUsingTheFilesLayout() {
+  void stepsFromCurrentViewByLayoutOfFile() {
     ExpectedChoices steps =
         new ExpectedChoices("steps.onnx", new ObservationLayout(3, 1, false), 6) {
           @Override
@@ -64,7 +64,7 @@ class OnnxPolicyTest {
   /** The belief of each view is valued by the same numbers, whatever the site. */
   @ParameterizedTest
   @ValueSource(strings = {"corridor", "junction", "campus-heights"})
-  void valuesViewsByTheSharedBeliefOnAnySite(String site) {
+  void valuesViewsBySharedBeliefOnAnySite(String site) {
     ExpectedChoices greedy =
         new ExpectedChoices("views.onnx", new ObservationLayout(0, 0, false), 0) {
           @Override
@@ -79,8 +79,8 @@ class OnnxPolicyTest {
           }
 
           private float value(float[] observation, int first, int view) {
-            int at = first + view * ObservationLayout.viewSize();
-            return observation[at + 9] + observation[at + 1] / 64;
+            int offset = first + view * ObservationLayout.viewSize();
+            return observation[offset + 9] + observation[offset + 1] / 64;
           }
         };
     greedy.readsBelief();
@@ -91,7 +91,7 @@ class OnnxPolicyTest {
   }
 
   @Test
-  void remembersItsStateFromDecisionToDecision() {
+  void remembersStateFromDecisionToDecision() {
     int[] episodes = new int[1];
     ExpectedChoices counting =
         new ExpectedChoices("memory.onnx", ObservationLayout.DEFAULT, 65) {

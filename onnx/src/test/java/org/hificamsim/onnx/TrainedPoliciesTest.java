@@ -39,8 +39,7 @@ class TrainedPoliciesTest {
     "border, ttpf:task=recognise, 1.1, 2.0",
     "car-park, dori-2014:level=identify, 1.02, 1.9",
   })
-  void beatsBestFixedAndTheBandit(
-      String site, String detection, double overFixed, double overBandit) {
+  void beatsBestFixedAndBandit(String site, String detection, double overFixed, double overBandit) {
     double trained = score(plan(site, detection, "onnx:" + TRAINED.resolve(site + ".onnx"), 300));
     double fixed = score(plan(site, detection, "best-fixed", 300));
     double bandit = score(plan(site, detection, "epsilon-greedy", 300));
@@ -50,7 +49,7 @@ class TrainedPoliciesTest {
 
   /** choices.csv was computed by greedy.py, which test_learning.py verifies. */
   @Test
-  void choosesTheSameAsNumPy() throws IOException {
+  void choosesSameViewsAsNumPy() throws IOException {
     List<String> expected = Files.readAllLines(TRAINED.resolve("choices.csv"));
     String policy = "onnx:" + TRAINED.resolve("border.onnx");
     List<String> choices = new ArrayList<>();

@@ -20,21 +20,22 @@ import org.hificamsim.placement.cover.ExactMethod;
 import org.hificamsim.placement.cover.Goal;
 
 /**
- * The mixed-integer solver SCIP, which comes with OR-Tools. A candidate is chosen or not; how often
- * a point is covered is a real number, which keeps the linear relaxation strong and small. Points
- * that the same candidates cover, and that need the same number of them, are one row. SCIP runs on
- * one thread, so that its result is always the same.
+ * Solves covering problems exactly by the mixed-integer solver SCIP, which comes with OR-Tools. A
+ * candidate is a binary variable; the number of times that a point is covered is a real variable,
+ * which keeps the linear relaxation strong and small. Points that the same candidates cover, and
+ * that need the same number of them, are one row. SCIP runs on one thread, so that its result is
+ * always the same.
  */
 public final class Scip implements ExactMethod {
   private static final long POLL_NANOSECONDS = 50_000_000;
 
-  /** How often SCIP is asked to stop before its thread is abandoned. */
+  /** The number of requests to stop after which SCIP's thread is abandoned. */
   private static final int MAX_STOP_REQUESTS = 40;
 
   /** The solver's tolerance, as a share of the score. */
   private static final double TOLERANCE = 1e-6;
 
-  /** Points that the same candidates cover. */
+  /** A group of points that the same candidates cover. */
   private record Row(List<Integer> candidates, int needs) {}
 
   @Override
@@ -75,7 +76,7 @@ public final class Scip implements ExactMethod {
         : difference > 0 && goal.affords(instance.price(plan));
   }
 
-  /** Adds the problem to the solver; returns a variable for each candidate. */
+  /** Adds the problem to the solver, and returns a variable for each candidate. */
   private static MPVariable[] build(
       MPSolver solver, CoverInstance instance, Goal goal, int[] start) {
     MPVariable[] chosen = solver.makeBoolVarArray(instance.candidates());
@@ -138,8 +139,8 @@ public final class Scip implements ExactMethod {
   }
 
   /**
-   * Solves on a thread of its own, which is abandoned if SCIP, within a large linear program, does
-   * not stop.
+   * Solves the problem on a thread of its own, which is abandoned if SCIP does not stop because it
+   * is in a large linear program.
    */
   private static MPSolver.ResultStatus solve(MPSolver solver, BooleanSupplier stop) {
     CompletableFuture<MPSolver.ResultStatus> result =

@@ -31,7 +31,7 @@ import org.hificamsim.placement.cover.SmallInstances;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Compares SCIP with all plans of small instances and with CP-SAT, and runs it in the command. */
+/** Compares SCIP with all plans of small instances and with CP-SAT, and tests it in the command. */
 class ScipTest {
   private static final int CASES = 60;
   private static final Path SCENARIOS = Path.of(System.getProperty("hificamsim.root"), "scenarios");
@@ -94,7 +94,7 @@ class ScipTest {
   }
 
   @Test
-  void findsTheSameScoreAsCpSat() {
+  void findsSameScoreAsCpSat() {
     SplittableRandom random = new SplittableRandom(5);
     for (int i = 0; i < 12; i++) {
       CoverInstance instance = SmallInstances.random(random, 60, 40, i % 2 == 0).coverable();
@@ -106,7 +106,7 @@ class ScipTest {
   }
 
   @Test
-  void provesTheBestOfAllPlans() {
+  void provesBestOfAllPlans() {
     SplittableRandom random = new SplittableRandom(11);
     for (int i = 0; i < CASES; i++) {
       CoverInstance instance = SmallInstances.random(random, 12, 9, i % 2 == 0).coverable();
@@ -133,7 +133,7 @@ class ScipTest {
   }
 
   @Test
-  void keepsItsPlanWhenStoppedAtOnce() {
+  void keepsPlanOfStartWhenStoppedAtOnce() {
     CoverInstance instance =
         SmallInstances.random(new SplittableRandom(3), 400, 300, false).coverable();
     Effort.Limits noTime = new Effort.Limits(() -> true, () -> true, () -> true, () -> true);

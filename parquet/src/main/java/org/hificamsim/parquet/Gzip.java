@@ -9,7 +9,7 @@ import org.apache.parquet.bytes.BytesInput;
 import org.apache.parquet.compression.CompressionCodecFactory.BytesInputCompressor;
 import org.apache.parquet.hadoop.metadata.CompressionCodecName;
 
-/** Compresses by the JDK's GZIP; Parquet's own codecs need Hadoop or native libraries. */
+/** Compresses by the JDK's GZIP, because Parquet's own codecs need Hadoop or native libraries. */
 final class Gzip implements BytesInputCompressor {
   @Override
   public BytesInput compress(BytesInput bytes) throws IOException {
@@ -20,7 +20,7 @@ final class Gzip implements BytesInputCompressor {
     return BytesInput.from(compressed.toByteArray());
   }
 
-  /** The fastest level: the encoded data hardly get smaller by a higher one. */
+  /** Uses the fastest level, since higher levels hardly make the encoded data smaller. */
   private static final class Fast extends GZIPOutputStream {
     Fast(OutputStream out) throws IOException {
       super(out);

@@ -41,7 +41,7 @@ final class ParquetRows implements Rows {
   /** The number of rows after which the size of a group is checked. */
   static final int BATCH = 4096;
 
-  /** The bytes of a text that are kept in statistics. */
+  /** The number of bytes of a text that statistics keep. */
   private static final int TEXT_BYTES = 64;
 
   /** Parquet's definition level of a value that is not null. */
@@ -53,7 +53,7 @@ final class ParquetRows implements Rows {
   private final ParquetFileWriter file;
   private final ColumnWriter[] cells;
 
-  /** Encoded texts: the same names occur in every step. */
+  /** Encoded texts, which are kept because the same names occur in every step. */
   private final Map<String, Binary> encoded = new HashMap<>();
 
   private ColumnChunkPageWriteStore pages;

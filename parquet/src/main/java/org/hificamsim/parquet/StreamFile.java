@@ -6,7 +6,7 @@ import org.apache.parquet.io.DelegatingPositionOutputStream;
 import org.apache.parquet.io.OutputFile;
 import org.apache.parquet.io.PositionOutputStream;
 
-/** An output stream as a file for Parquet. */
+/** Adapts an output stream to a file of Parquet. */
 final class StreamFile implements OutputFile {
   private final OutputStream out;
 

@@ -43,7 +43,7 @@ class ParquetCommandTest {
         "ring-random.xml --steps 300 --detect chance",
         "corridor.xml --steps 200 --detection dori-2014:level=recognise --policy sarsa",
       })
-  void everyCellEqualsThatOfTheCsv(String words) throws IOException {
+  void cellsEqualThoseOfCsv(String words) throws IOException {
     String[] scenarioAndOptions = words.split(" ", 2);
     runInBothFormats(SCENARIOS.resolve(scenarioAndOptions[0]), scenarioAndOptions[1].split(" "));
     assertSame("steps");
@@ -75,7 +75,7 @@ class ParquetCommandTest {
   }
 
   @Test
-  void replacesTablesOfTheOtherFormat() throws IOException {
+  void replacesTablesOfOtherFormat() throws IOException {
     Path scenario = SCENARIOS.resolve("ring-random.xml");
     run("run", scenario, "--steps", 50, "--record", "--out", csv);
     run("run", scenario, "--steps", 50, "--format", "parquet", "--out", csv);
@@ -112,7 +112,7 @@ class ParquetCommandTest {
 
   private List<String> rows(String table) throws IOException {
     List<String> rows = new ArrayList<>();
-    StoredFile.each(parquet.resolve(table + ".parquet"), rows::add);
+    StoredFile.forEachRow(parquet.resolve(table + ".parquet"), rows::add);
     return rows;
   }
 

@@ -27,10 +27,10 @@ class ParquetRowsTest {
 
   @ParameterizedTest
   @ValueSource(ints = {0, 1, ParquetRows.BATCH - 1, ParquetRows.BATCH, ParquetRows.BATCH + 1})
-  void hasEveryRow(int rows) throws IOException {
+  void writesEveryRow(int rows) throws IOException {
     Path file = write(rows);
     List<String> read = new ArrayList<>();
-    StoredFile.each(file, read::add);
+    StoredFile.forEachRow(file, read::add);
     assertEquals(rows, read.size());
     for (int row = 0; row < rows; row++) {
       assertEquals("0," + row + ",t" + row % 3 + ",0.1,-0.0", read.get(row));
@@ -72,7 +72,7 @@ class ParquetRowsTest {
   @Test
   void writesNanAsMissingValue() throws IOException {
     Path file = write(1, Double.NaN, Double.POSITIVE_INFINITY);
-    StoredFile.each(file, row -> assertEquals("0,0,t0,,Infinity", row));
+    StoredFile.forEachRow(file, row -> assertEquals("0,0,t0,,Infinity", row));
   }
 
   @Test
@@ -96,7 +96,7 @@ class ParquetRowsTest {
   }
 
   @Test
-  void readsOrRejectsFileWithAChangedByte() throws IOException {
+  void readsOrRejectsFileWithChangedByte() throws IOException {
     Path file = write(500);
     byte[] right = Files.readAllBytes(file);
     int refused = 0;
@@ -106,7 +106,7 @@ class ParquetRowsTest {
       wrong[random.nextInt(wrong.length)] = (byte) random.nextInt();
       Files.write(file, wrong);
       try {
-        StoredFile.each(file, row -> {});
+        StoredFile.forEachRow(file, row -> {});
       } catch (InputException e) {
         refused++;
       }

@@ -26,10 +26,10 @@ import org.apache.parquet.schema.MessageType;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.Io;
 
-/** Reads a Parquet file. Parquet's own reader of files needs Hadoop. */
+/** Reads a Parquet file, because Parquet's own reader of files needs Hadoop. */
 final class StoredFile implements Closeable {
   /** The bytes after the footer: its length, and the format's four letters. */
-  private static final int END = 8;
+  private static final int TAIL_BYTES = 8;
 
   private final RandomAccessFile in;
   private final ParquetMetadata footer;
@@ -37,7 +37,7 @@ final class StoredFile implements Closeable {
   StoredFile(Path path) throws IOException {
     in = new RandomAccessFile(path.toFile(), "r");
     try {
-      footer = footer(in.length() - END);
+      footer = footer(in.length() - TAIL_BYTES);
     } catch (IOException | RuntimeException e) {
       in.close();
       throw e;
@@ -49,18 +49,18 @@ final class StoredFile implements Closeable {
    *
    * @throws InputException when the file is broken
    */
-  static void each(Path path, Consumer<String> row) throws IOException {
+  static void forEachRow(Path path, Consumer<String> row) throws IOException {
     try (StoredFile file = new StoredFile(path)) {
       MessageType schema = file.metadata().getSchema();
       for (BlockMetaData group : file.groups()) {
-        each(schema, file.pages(group), row);
+        forEachRow(schema, file.pages(group), row);
       }
     } catch (IOException | RuntimeException e) {
       throw new InputException(path + " is broken", e);
     }
   }
 
-  private static void each(MessageType schema, PageReadStore group, Consumer<String> row) {
+  private static void forEachRow(MessageType schema, PageReadStore group, Consumer<String> row) {
     RecordReader<Group> records =
         new ColumnIOFactory()
             .getColumnIO(schema)

@@ -8,8 +8,8 @@ import org.hificamsim.runs.compare.RunTask;
  * The answer of a task: a finished run, or the fault that ended it. A fault is returned, because
  * Spark would retry a task that throws.
  *
- * @param run null if there is a fault
- * @param fault null if there is none
+ * @param run the finished run; null if there is a fault
+ * @param fault the fault; null if there is none
  */
 record Answer(RunTask task, FinishedRun run, RuntimeException fault) implements Serializable {
   static Answer to(RunTask task, PortableComparison comparison) {

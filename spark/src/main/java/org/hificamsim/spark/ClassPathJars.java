@@ -13,8 +13,9 @@ import java.util.zip.ZipEntry;
 import org.hificamsim.core.file.Io;
 
 /**
- * The class path of this process as jars for executors, without Spark's own, which they have. A
- * folder of classes is packed into a temporary jar, which is deleted when this object is closed.
+ * The class path of this process as jars for executors, without Spark's own jars, which executors
+ * have. A folder of classes is packed into a temporary jar, which is deleted when this object is
+ * closed.
  */
 final class ClassPathJars implements Closeable {
   private final List<String> jars = new ArrayList<>();

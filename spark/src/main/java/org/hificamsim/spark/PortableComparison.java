@@ -22,7 +22,7 @@ final class PortableComparison implements Serializable {
     this.plans = plans;
   }
 
-  /** The plans as text, which is checked to give the same plans. */
+  /** Writes plans as text, after checking that it gives the same plans. */
   static PortableComparison of(List<RunPlan> plans, Catalogue catalogue) {
     return new PortableComparison(
         plans.stream().map(plan -> PortablePlan.of(plan, catalogue)).toList());

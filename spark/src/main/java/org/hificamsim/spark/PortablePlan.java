@@ -25,23 +25,23 @@ import org.hificamsim.runs.compare.RunKey;
  *
  * @param scenario the name of the scenario
  * @param xml the content of its file
- * @param own the settings that the plan keeps itself
- * @param key of the results; a machine that finds another key would compute another plan
+ * @param keptValues the values of the settings that the plan keeps itself
+ * @param key the key of the results; a machine that gets another key would compute another plan
  */
 record PortablePlan(
     String scenario,
     String xml,
     PortableDetection detection,
-    EnumMap<Setting, String> own,
+    EnumMap<Setting, String> keptValues,
     String key)
     implements Serializable {
   /**
    * A detection model and its threshold as text.
    *
-   * @param name in result files
+   * @param name the name in result files
    * @param model the content of a model file, or the name in the catalogue of a model that is code
    * @param isFile whether the model is the content of a file
-   * @param rule by which a confidence becomes a detection
+   * @param rule the rule by which a confidence becomes a detection
    */
   record PortableDetection(String name, String model, boolean isFile, double threshold, String rule)
       implements Serializable {
@@ -55,7 +55,7 @@ record PortablePlan(
           detection.name(), model, isFile, detection.threshold(), detection.rule().text());
     }
 
-    /** The detection with the same values. */
+    /** Restores the detection. */
     Detection detection(Catalogue catalogue) {
       DetectionModel restored =
           isFile
@@ -69,7 +69,7 @@ record PortablePlan(
   }
 
   /**
-   * The plan as text.
+   * Writes a plan as text.
    *
    * @throws InputException when the text does not give the same plan
    */
@@ -79,19 +79,19 @@ record PortablePlan(
             plan.scenario().name(),
             ScenarioWriter.write(plan.scenario()),
             PortableDetection.of(plan.detection()),
-            new EnumMap<>(plan.own()),
+            new EnumMap<>(plan.keptValues()),
             RunKey.of(plan).text());
     portable.plan(catalogue);
     return portable;
   }
 
   /**
-   * The plan, on the machine that computes it.
+   * Restores the plan, on the machine that computes it.
    *
    * @throws InputException when models, jars or the version differ from those of the driver
    */
   RunPlan plan(Catalogue catalogue) {
-    RunPlan plan = new RunPlan(readScenario(catalogue), detection.detection(catalogue), own);
+    RunPlan plan = new RunPlan(readScenario(catalogue), detection.detection(catalogue), keptValues);
     RunKey keyHere = RunKey.of(plan);
     if (!keyHere.text().equals(key)) {
       String input = keyHere.changed(RunKey.read(key)).orElse("a user's jar");

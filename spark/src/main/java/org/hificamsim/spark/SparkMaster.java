@@ -15,7 +15,7 @@ import org.hificamsim.core.InputException;
 /**
  * The master of a cluster.
  *
- * @param url in Spark's form
+ * @param url the URL in Spark's form
  */
 record SparkMaster(String url) {
   private static final int TIMEOUT_MILLIS = 3000;
@@ -31,13 +31,13 @@ record SparkMaster(String url) {
   private static final String SUBMITTED = "spark.master";
 
   /**
-   * The master that is asked for, else that of {@code spark-submit}.
+   * Returns the master that the user asks for, or else that of {@code spark-submit}.
    *
    * @throws InputException when there is no master, or its URL is malformed
    */
-  static SparkMaster of(Optional<String> asked) {
+  static SparkMaster of(Optional<String> requested) {
     String url =
-        asked
+        requested
             .or(() -> Optional.ofNullable(System.getProperty(SUBMITTED)))
             .orElseThrow(
                 () ->

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 /**
  * A file with a given name in a temporary folder; both are deleted when this object is closed.
  *
- * @param path of the file, which does not exist until it is written
+ * @param path the path of the file, which does not exist until it is written
  */
 record TemporaryFile(Path path) implements Closeable {
   TemporaryFile(String name) throws IOException {

@@ -17,15 +17,15 @@ class ClassPathJarsTest {
 
   @Test
   void sendsJarsAndPackedFoldersWithoutSpark() throws IOException {
-    Path sparks = Files.createDirectories(folder.resolve("spark"));
-    Path sparksOwn = Files.writeString(sparks.resolve("spark-core.jar"), "");
+    Path sparkFolder = Files.createDirectories(folder.resolve("spark"));
+    Path sparkJar = Files.writeString(sparkFolder.resolve("spark-core.jar"), "");
     Path jar = Files.writeString(folder.resolve("own.jar"), "");
     Path classes = Files.createDirectories(folder.resolve("classes"));
     Files.writeString(Files.createDirectories(classes.resolve("a/b")).resolve("C.class"), "c");
     String packed;
     try (ClassPathJars jars =
         new ClassPathJars(
-            List.of(sparksOwn, jar, folder.resolve("missing.jar"), classes), sparks)) {
+            List.of(sparkJar, jar, folder.resolve("missing.jar"), classes), sparkFolder)) {
       assertEquals(2, jars.paths().size(), jars.paths().toString());
       assertEquals(jar.toString(), jars.paths().get(0));
       packed = jars.paths().get(1);

@@ -93,7 +93,7 @@ class PortablePlanTest {
             here.xml(),
             PortablePlan.PortableDetection.of(
                 new Detection("geometric", CATALOGUE.detection("hifi:orb-lin"), 0.5)),
-            here.own(),
+            here.keptValues(),
             here.key());
     InputException fault = assertThrows(InputException.class, () -> there.plan(CATALOGUE));
     assertEquals(

@@ -29,8 +29,8 @@ final class SparkCluster implements Closeable {
   private final String url;
 
   /**
-   * @param home of Spark
-   * @param folder for logs and the workers' files
+   * @param home the folder of Spark
+   * @param folder the folder for logs and the workers' files
    */
   SparkCluster(Path home, Path folder, int workers) throws IOException {
     this.home = home;

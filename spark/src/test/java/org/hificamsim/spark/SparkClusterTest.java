@@ -30,7 +30,7 @@ class SparkClusterTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root"));
   private static final Path EXAMPLE = ROOT.resolve("examples/own-policy/src");
   private static final Path OPTIONS = ROOT.resolve("spark/java.options");
-  private static final int FEW = 5;
+  private static final int RUNS_BEFORE_KILL = 5;
   private static final String SHORT_LIVED = String.join(" ", SparkCluster.SHORT_LIVED);
 
   private static final String MODEL =
@@ -68,7 +68,7 @@ class SparkClusterTest {
     Process driver =
         driver("killed", List.of("--engine", "spark", "--master", cluster.url())).start();
     try {
-      SparkCluster.await(() -> !driver.isAlive() || journalled("killed") >= FEW);
+      SparkCluster.await(() -> !driver.isAlive() || journalled("killed") >= RUNS_BEFORE_KILL);
       assertTrue(driver.isAlive(), log("killed"));
       assertTrue(cluster.kill(2) > 0, "the worker had no executor");
       assertFalse(Files.exists(folder.resolve("killed/results.csv")), "killed after the end");
@@ -102,7 +102,7 @@ class SparkClusterTest {
     assertSameFiles("submitted");
   }
 
-  /** The command line as the launcher starts it. */
+  /** A command line as the launcher starts it. */
   private static ProcessBuilder driver(String name, List<String> engine) {
     List<String> command = new ArrayList<>();
     command.add(java());

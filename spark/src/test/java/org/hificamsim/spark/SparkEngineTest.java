@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
-/** Tests Spark in this process, {@code local[2]}. */
+/** Tests Spark in this process, with the master {@code local[2]}. */
 class SparkEngineTest {
   @BeforeAll
   static void requireSpark() {
@@ -20,7 +20,7 @@ class SparkEngineTest {
   }
 
   @TestFactory
-  Stream<DynamicTest> keepsTheContractOfEngines() {
+  Stream<DynamicTest> fulfilsContractOfEngines() {
     assertEquals(SparkEngine.class, engine().getClass());
     return new RunEngineContract(SparkEngineTest::engine).tests();
   }

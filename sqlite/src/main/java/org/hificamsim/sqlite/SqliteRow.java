@@ -6,8 +6,8 @@ import org.hificamsim.core.file.Fields;
 /**
  * A row of a table.
  *
- * @param row its number, from 1
- * @param values texts, numbers or null
+ * @param row the number of the row, from 1
+ * @param values the cells: texts, numbers or null
  */
 record SqliteRow(String file, int row, Object[] values) implements Fields {
   @Override

@@ -21,9 +21,9 @@ import org.sqlite.SQLiteLimits;
 import org.sqlite.SQLiteOpenMode;
 
 /**
- * Reads SQLite files by Xerial's JDBC driver. A file is opened read-only and as one that nobody
- * changes, so that no journal is made beside it. Only tables are read: the query of a view comes
- * from the file, and may never end.
+ * Reads SQLite files by Xerial's JDBC driver. A file is opened as read-only and immutable, so that
+ * no journal is made next to it. Only tables are read, and no views: the query of a view comes from
+ * the file, and may never end.
  */
 public final class XerialSqlite implements SqliteReader {
   private static final int MAX_VALUE_BYTES = 1 << 20;

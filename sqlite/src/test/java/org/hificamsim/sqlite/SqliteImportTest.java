@@ -21,7 +21,7 @@ import org.hificamsim.cli.Main;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** {@code import} of JuPedSim's SQLite files. */
+/** Tests {@code import} of JuPedSim's SQLite files. */
 class SqliteImportTest {
   private static final String TRAJECTORY =
       "CREATE TABLE trajectory_data (frame INTEGER NOT NULL, id INTEGER NOT NULL, pos_x REAL,"
@@ -55,7 +55,7 @@ class SqliteImportTest {
     return database(METADATA, FPS, TRAJECTORY, insert);
   }
 
-  private int imported(Path file, Object... more) {
+  private int importFile(Path file, Object... more) {
     List<Object> words = new ArrayList<>(List.of("import", file, "--out", folder.resolve("out")));
     words.addAll(List.of(more));
     return Main.execute(
@@ -64,8 +64,8 @@ class SqliteImportTest {
         words.stream().map(Object::toString).toArray(String[]::new));
   }
 
-  private void assertRefused(Path file, String message) {
-    assertEquals(2, imported(file, "--format", "jupedsim"));
+  private void assertRejects(Path file, String message) {
+    assertEquals(2, importFile(file, "--format", "jupedsim"));
     assertTrue(errors.toString().contains(message), errors::toString);
   }
 
@@ -79,14 +79,14 @@ class SqliteImportTest {
           "INSERT INTO geometry VALUES (1, 'GEOMETRYCOLLECTION (POLYGON ((0 -1, 10 -1, 10 9, 0 9,"
               + " 0 -1), (4 5, 5 5, 5 6, 4 5)))')");
     }
-    assertEquals(0, imported(file, "--walls", file), errors::toString);
+    assertEquals(0, importFile(file, "--walls", file), errors::toString);
     assertTrue(printed.toString().contains("walls and solids: 7"), printed::toString);
     assertEquals("", errors.toString());
   }
 
   @Test
   void readsTrajectoriesAtRateOfFile() throws SQLException, IOException {
-    assertEquals(0, imported(walk()), errors::toString);
+    assertEquals(0, importFile(walk()), errors::toString);
     String out = printed.toString();
     assertTrue(out.contains("format: jupedsim (a walk #1.sqlite is an SQLite file)"), out);
     assertTrue(out.contains("100 samples of 2 targets in 4.9 s"), out);
@@ -96,10 +96,10 @@ class SqliteImportTest {
   }
 
   @Test
-  void leavesFileAndFolderAsTheyAre() throws SQLException, IOException {
+  void changesNeitherFileNorFolder() throws SQLException, IOException {
     Path file = walk();
     byte[] before = Files.readAllBytes(file);
-    assertEquals(0, imported(file));
+    assertEquals(0, importFile(file));
     assertEquals(List.of("a walk #1.sqlite", "out"), names());
     assertTrue(Arrays.equals(before, Files.readAllBytes(file)));
   }
@@ -111,58 +111,58 @@ class SqliteImportTest {
   }
 
   @Test
-  void leavesOutRowsWithoutPlace() throws SQLException {
+  void omitsRowsWithoutPosition() throws SQLException {
     Path file =
         database(
             METADATA,
             FPS,
             TRAJECTORY,
             "INSERT INTO trajectory_data VALUES (0, 1, 1, 1, 0, 0), (1, 1, NULL, 1, 0, 0)");
-    assertEquals(0, imported(file), errors::toString);
+    assertEquals(0, importFile(file), errors::toString);
     String line = "left out: 1 entry without a place, the first at " + file + ":2:3: pos_x is ''";
     assertTrue(printed.toString().contains(line), printed::toString);
   }
 
   @Test
-  void refusesOtherDatabases() throws SQLException {
-    assertRefused(database("CREATE TABLE a (b)"), "expected the table trajectory_data of JuPedSim");
-    assertRefused(
+  void rejectsOtherDatabases() throws SQLException {
+    assertRejects(database("CREATE TABLE a (b)"), "expected the table trajectory_data of JuPedSim");
+    assertRejects(
         database("CREATE TABLE trajectory_data (frame, id, x, y)"),
         "the table trajectory_data has the columns [frame, id, x, y], expected frame, id, pos_x");
   }
 
   @Test
-  void asksForRateThatFileLacks() throws SQLException {
-    assertRefused(
+  void reportsMissingRate() throws SQLException {
+    assertRejects(
         database(TRAJECTORY, "INSERT INTO trajectory_data VALUES (0, 1, 1, 1, 0, 0)"),
         "expected --rate R, the frames per second");
   }
 
-  /** A view may ask for rows without end. */
+  /** The query of a view may return rows without end. */
   @Test
-  void readsNoViews() throws SQLException {
+  void ignoresViews() throws SQLException {
     Path file =
         database(
             METADATA,
             FPS,
             "CREATE VIEW trajectory_data AS WITH RECURSIVE n(frame) AS (SELECT 1 UNION ALL SELECT"
                 + " frame + 1 FROM n) SELECT frame, 1 AS id, frame AS pos_x, 1 AS pos_y FROM n");
-    assertRefused(file, "expected the table trajectory_data of JuPedSim");
+    assertRejects(file, "expected the table trajectory_data of JuPedSim");
   }
 
   @Test
-  void refusesOrReadsDamagedFiles() throws SQLException, IOException {
+  void readsOrRejectsDamagedFiles() throws SQLException, IOException {
     byte[] right = Files.readAllBytes(walk());
     Random random = new Random(5);
     for (int i = 0; i < 100; i++) {
       byte[] broken = right.clone();
       for (int flips = 0; flips <= i / 10; flips++) {
-        int at = 16 + random.nextInt(broken.length - 16);
-        broken[at] = (byte) random.nextInt(256);
+        int offset = 16 + random.nextInt(broken.length - 16);
+        broken[offset] = (byte) random.nextInt(256);
       }
       Path file = folder.resolve("broken" + i + ".sqlite");
       Files.write(file, i % 10 == 0 ? Arrays.copyOf(broken, 5000) : broken);
-      int exit = imported(file, "--force-reading");
+      int exit = importFile(file, "--force-reading");
       assertTrue(exit == 0 || exit == 2, () -> exit + errors.toString());
       assertTrue(!errors.toString().contains("Exception"), errors::toString);
     }
