@@ -94,19 +94,14 @@ final class RunSummary {
   }
 
   private void figures(RunPlan plan) {
+    Metric other = plan.objective().hasOwnFigure() ? Metric.PERFORMANCE : Metric.SCORE;
     for (Metric metric : Metric.values()) {
       boolean isMeasured = results.stream().anyMatch(run -> run.has(metric));
-      if (metric == Metric.PERFORMANCE && plan.objective().hasOwnFigure()) {
-        figure(plan, "summed score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
-      } else if (metric.isPrinted() && isMeasured) {
-        figure(plan, metric.title(), metric, metric.format(), metric.note());
+      if (metric.isPrinted() && isMeasured && metric != other) {
+        String text = RunResult.mean(plan, results, metric).text(metric.format());
+        line(metric.title(), metric.note().isEmpty() ? text : text + "  (" + metric.note() + ")");
       }
     }
-  }
-
-  private void figure(RunPlan plan, String label, Metric metric, String format, String unit) {
-    String text = RunResult.mean(plan, results, metric).text(format);
-    line(label, unit.isEmpty() ? text : text + "  (" + unit + ")");
   }
 
   private void line(String label, String text) {

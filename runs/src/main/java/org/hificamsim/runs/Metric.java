@@ -17,7 +17,7 @@ public enum Metric {
       "cameras x steps",
       "the sum of k_min over the steps (Eq 7.2)",
       measured(run -> run.coverage().performance()),
-      new Line("performance", "%.0f", "sum of k_min")),
+      new Line("summed k_min", "%.0f", "cameras x steps")),
   PROPORTION_OF_OPTIMAL(
       "share",
       "the score (the performance, unless there is another [objective](objectives.md)) divided by"
@@ -70,7 +70,8 @@ public enum Metric {
       "of `kmin` and `lexicographic`: cameras x steps; of `covered`: shares x steps; of `sum`:"
           + " detections",
       "the sum of the steps' scores by the [objective](objectives.md)",
-      measured(run -> run.coverage().score())),
+      measured(run -> run.coverage().score()),
+      new Line("summed score", "%.3f", "")),
   SETTLING_STEPS(
       "steps",
       "until within 90% of the final level; empty where that is 0",
@@ -244,7 +245,7 @@ public enum Metric {
       "per camera and step",
       "`zoom_changes` for each camera and step in which it is online",
       measured(run -> run.coverage().moves().viewChangeRate()),
-      new Line("zoom changes", "%.4f", "per camera and step")),
+      new Line("zoom change rate", "%.4f", "per camera and step")),
   PAN_TRAVEL(
       "degrees per camera and step",
       "how far cameras turned, either way; where turning takes time, only the part that they"
@@ -384,7 +385,7 @@ public enum Metric {
     }
     return name().startsWith(EXPECTED)
         ? "expected " + valueOf(name().substring(EXPECTED.length())).title()
-        : label().replace('_', ' ');
+        : label().replace('_', ' ').replace("performance", PERFORMANCE.title());
   }
 
   /** The format of the printed number. */

@@ -119,7 +119,7 @@ function allZeroNotice(rows, metric, names) {
     'p',
     {class: 'notice'},
     'All k_min are 0: at every step of every run there was a target that no camera covered. ' +
-      'Performance is 0 and a proportion of the optimum is not defined, ' +
+      'Their sum is 0 and a proportion of the optimum is not defined, ' +
       `so the table begins with ${names[metric].title}.`,
   );
 }

@@ -3,13 +3,14 @@ import {el} from './dom.js';
 import {settingText, spelled, tipped, unitAfterPercent, withUnit, words} from './names.js';
 
 const LEADING = ['score', 'mean_score']; // the last first
+const OF_K_MIN = ['performance', 'mean_k_min']; // by that objective the same as those
 
 /** Returns the elements `wholeRun`, `settings` and `made`. */
 export function details({summary, names, objective, command, version}) {
   const repeated = summary.repeat > 1;
-  const metrics = Object.entries(summary.metrics).sort(
-    ([a], [b]) => LEADING.indexOf(b) - LEADING.indexOf(a),
-  );
+  const metrics = Object.entries(summary.metrics)
+    .filter(([name]) => !objective.kMin || !OF_K_MIN.includes(name))
+    .sort(([a], [b]) => LEADING.indexOf(b) - LEADING.indexOf(a));
   names.score.unit = scoreUnit(objective);
   names.mean_score.unit = scoreUnit(objective)
     .replace(/ ?x steps/, '')
