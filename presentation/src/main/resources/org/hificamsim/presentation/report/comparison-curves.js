@@ -1,5 +1,6 @@
 // The score over time of a scenario's cases: policies by colour, detection models by dashes,
-// intervals as bands, and yardsticks with their names at the end of their lines.
+// intervals as bands, and the yardsticks of one detection with their names at the end of their
+// lines.
 import {card, labelledSelect} from './cards.js';
 import {el, onThemeChange, rem, style} from './dom.js';
 import {spelled} from './names.js';
@@ -39,9 +40,8 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
       entry => entry.scenario === scenario.value && isShown(entry.detection),
     );
     const bands = shown.map(({parts}) => bandOf(parts));
-    const lines = yardstickLines(yardsticks, settings, scenario.value, detections).filter(line =>
-      isShown(line.detection),
-    );
+    const named = isSingle() ? shown : []; // yardsticks of several detections have the same names
+    const lines = named.length ? yardstickLines(yardsticks, settings, named[0]) : [];
     const greatest = Math.max(
       ...bands.flatMap(band => band?.high ?? []),
       ...lines.map(({score}) => score),
@@ -50,13 +50,13 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
       settings?.find(entry => entry.scenario === scenario.value) ?? {};
     const share = unit === 'share';
     const top = high => 1.05 * Math.max(high, greatest) || 1;
-    const named = lines.length || shown.some(({policy}) => policy === OPTIMAL);
+    const hasNames = lines.length || named.some(({policy}) => policy === OPTIMAL);
     plot?.destroy();
     plot = new uPlot(
       {
         width: box.clientWidth || 600,
         height: HEIGHT * rem(),
-        padding: [8, (named ? 5.5 : 1) * rem(), 0, 0],
+        padding: [8, (hasNames ? 5.5 : 1) * rem(), 0, 0],
         cursor: {drag: {x: true, y: false}},
         scales: {
           x: {time: false},
@@ -73,7 +73,7 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
         ],
         hooks: {
           drawAxes: [chart => drawBands(chart, bands)],
-          draw: [chart => nameYardsticks(chart, shown, lines)],
+          draw: [chart => nameYardsticks(chart, named, lines)],
         },
         series: [{label: 'step'}, ...shown.map(entry => series(entry, share))],
         legend: {markers: {dash: (chart, i) => dashOf(shown[i - 1]?.detection).piece}},
@@ -123,8 +123,7 @@ function detectionChoice(cases, detections, draw) {
   const lines = cases.length / distinct(cases, 'scenario').length;
   const areFew = detections.length <= DASHES.length && lines <= MOST_LINES;
   const choices = areFew ? [ALL, ...detections] : detections;
-  const name = value => (value === ALL ? value : spelled(value));
-  return labelledSelect('detection', choices, areFew ? ALL : detections.at(-1), draw, name);
+  return labelledSelect('detection', choices, detections.at(-1), draw, spelled);
 }
 
 /** Groups rows by their case; those of a case follow each other. */
@@ -170,26 +169,19 @@ function drawBands({ctx, data: [x], series, valToPos}, bands) {
 /**
  * The yardsticks that have no curve, as horizontal lines: the mean score per step over the seeds.
  */
-function yardstickLines(yardsticks, settings, scenario, detections) {
+function yardstickLines(yardsticks, settings, {scenario, detection}) {
   if (!yardsticks || !settings) return [];
   const rows = rowsOf(yardsticks).filter(
-    row => row.scenario === scenario && row.yardstick !== OPTIMAL,
+    row =>
+      row.scenario === scenario && row.detection === detection && row.yardstick !== OPTIMAL,
   );
   const steps = settings.find(entry => entry.scenario === scenario)?.steps;
-  return distinct(rows, 'yardstick').flatMap(name =>
-    distinct(rows, 'detection').map(detection => {
-      const own = rows.filter(row => row.yardstick === name && row.detection === detection);
-      const bounds = meanScore(own.filter(row => row.is === 'at most')) / steps;
-      const reached = meanScore(own.filter(row => row.is !== 'at most')) / steps;
-      return {
-        name,
-        detection,
-        score: Number.isNaN(bounds) ? reached : bounds,
-        reached,
-        dash: DASHES[detections.indexOf(detection) % DASHES.length].line,
-      };
-    }),
-  );
+  return distinct(rows, 'yardstick').map(name => {
+    const own = rows.filter(row => row.yardstick === name);
+    const bounds = meanScore(own.filter(row => row.is === 'at most')) / steps;
+    const reached = meanScore(own.filter(row => row.is !== 'at most')) / steps;
+    return {name, score: Number.isNaN(bounds) ? reached : bounds, reached};
+  });
 }
 
 const meanScore = rows => rows.reduce((sum, row) => sum + Number(row.score), 0) / rows.length;
@@ -207,12 +199,9 @@ function nameYardsticks({ctx, data, bbox, series, valToPos}, shown, lines) {
       : [],
   );
   let last = -Infinity;
-  for (const {name, score, reached, dash} of [...curves, ...lines].sort(
-    (a, b) => b.score - a.score,
-  )) {
+  for (const {name, score, reached} of [...curves, ...lines].sort((a, b) => b.score - a.score)) {
     const y = valToPos(score, 'y', true);
-    if (dash) {
-      ctx.setLineDash(dash.length ? dash : [1, 0]);
+    if (reached !== undefined) {
       ctx.strokeRect(bbox.left, y, bbox.width, 0);
       if (reached < score) {
         ctx.globalAlpha = 0.15; // the interval between a plan and a bound
