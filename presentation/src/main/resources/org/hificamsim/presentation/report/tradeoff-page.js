@@ -5,7 +5,7 @@ import {el} from './dom.js';
 import {spelled} from './names.js';
 import {percent, significant} from './numbers.js';
 import {distinct, rowsOf, sortable} from './table.js';
-import {networkLegend, networkPlot} from './tradeoff-plot.js';
+import {networkLegend, networkPlot, numberOf} from './tradeoff-plot.js';
 
 const SCHEDULES = {A: 'Active', P: 'Passive', HA: 'HistActive', HP: 'HistPassive'};
 const POLICIES = ['Broadcast', 'Smooth', 'Step', 'Fix'];
@@ -66,8 +66,12 @@ function scenarioCard(data, networks, fronts) {
   const show = row => chosen.replaceChildren(...details(data, row));
   const front = frontOf(networks, fronts);
   const title = row => shortStrategy(row, data.cameras[row.scenario] ?? []);
-  const buttons = front.map(row =>
-    el('button', {type: 'button', title: row.network, onclick: () => show(row)}, title(row)),
+  const buttons = front.map((row, i) =>
+    el(
+      'button',
+      {type: 'button', title: row.network, onclick: () => show(row)},
+      numberOf(i) + title(row),
+    ),
   );
   return card(
     `${networks[0].scenario}, ${spelled(networks[0].detection)}`,

@@ -10,8 +10,9 @@ const KINDS = [
   ['homogeneous', '--cameras', 5.5],
 ];
 const NARROW = 600; // pixels of a window, in which a large plot's words would be too small to read
+const IS_NARROW = innerWidth < NARROW;
 const SIZE = {
-  ...(innerWidth < NARROW ? {width: 360, height: 320} : {width: 640, height: 460}),
+  ...(IS_NARROW ? {width: 360, height: 320} : {width: 640, height: 460}),
   left: 74,
   right: 28,
   top: 14,
@@ -64,9 +65,15 @@ export function networkPlot(networks, front, show) {
       'stroke-width': 1.5,
       'pointer-events': 'none',
     }),
-    ...labels(front.map(row => ({name: row.network, x: x(row), y: y(row)}))),
+    ...labels(front.map((row, i) => ({name: labelOf(row, i), x: x(row), y: y(row)}))),
   );
 }
+
+/** A point's name; in a small plot, where names would overlap, its number on the front. */
+const labelOf = (row, i) => (IS_NARROW ? String(i + 1) : row.network);
+
+/** The number that stands for a name of the front in a small plot. */
+export const numberOf = i => (IS_NARROW ? `${i + 1}: ` : '');
 
 /** The names of the front's points above them; names that would overlap share one label. */
 function labels(points) {
