@@ -1,5 +1,11 @@
 package org.hificamsim.presentation.figures;
 
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -8,13 +14,13 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 
-/**
- * The names of policies and detections as people read them, in pictures; pages put the same words
- * together ({@code names.js}).
- */
+/** The names of policies and detections as people read them, in pictures and on pages. */
 public final class SpokenNames {
+  private static final JsonFactory JSON = new JsonFactory();
+  private static final int LONGEST = 300;
+  private static final Pattern TIED = Pattern.compile(" \\| ");
+  private static final Pattern NAME = Pattern.compile("[\\w./-]+([:@]\\S+)?");
   private static final Pattern RULE = Pattern.compile("(.*?)(?:@([a-z0-9.].*))?");
   private static final Pattern FITTED = Pattern.compile("([^-]+)-(.*?)(-gt)?");
   private static final Map<String, String> RULES =
@@ -38,17 +44,23 @@ public final class SpokenNames {
 
   private SpokenNames() {}
 
-  /** The words of rules, models and laws as an object of a script, by the name in files. */
-  public static String script() {
-    return "const WORDS = {rules: {%s}, models: {%s}, laws: {%s}};\n"
-        .formatted(entries(RULES), entries(MODELS), entries(LAWS));
-  }
-
-  private static String entries(Map<String, String> words) {
-    return new TreeMap<>(words)
-        .entrySet().stream()
-            .map(entry -> "'%s': '%s'".formatted(entry.getKey(), entry.getValue()))
-            .collect(Collectors.joining(", "));
+  /** The names in the data of a page that people read in other words, as a map of a script. */
+  public static String script(String json) {
+    Map<String, String> spoken = new TreeMap<>();
+    try (JsonParser parser = JSON.createParser(json)) {
+      while (parser.nextToken() != null) {
+        if (parser.currentToken() == JsonToken.VALUE_STRING && parser.getTextLength() < LONGEST) {
+          TIED.splitAsStream(parser.getText())
+              .filter(NAME.asMatchPredicate())
+              .filter(name -> !of(name).equals(name))
+              .forEach(name -> spoken.put(name, of(name)));
+        }
+      }
+      return "const SPOKEN = new Map(Object.entries(%s));\n"
+          .formatted(new ObjectMapper().writeValueAsString(spoken).replace("<", "\\u003c"));
+    } catch (IOException e) {
+      throw new UncheckedIOException("the data of a page is not JSON", e);
+    }
   }
 
   /** The name of a policy or detection, such as {@code hifi:orb-lin@chance}, in words. */

@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.Sha256;
+import org.hificamsim.presentation.figures.SpokenNames;
 import org.hificamsim.presentation.plot.Palette;
 
 /**
@@ -50,7 +51,7 @@ public record Page(String title, String module, String function, String data, St
     String style =
         Scripts.text("uplot/uPlot.min.css") + Palette.style() + Scripts.text("style.css");
     String plot = Scripts.text("uplot/uPlot.iife.min.js");
-    String script = Scripts.bundle(module) + start();
+    String script = Scripts.bundle(module) + SpokenNames.script(data) + start();
     return PAGE.formatted(
         policy(style, plot, script),
         Place.escaped(escaped(title), "\\"),

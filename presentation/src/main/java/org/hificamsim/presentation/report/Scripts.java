@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.file.Io;
-import org.hificamsim.presentation.figures.SpokenNames;
 import org.hificamsim.presentation.plot.Palette;
 
 /**
@@ -30,10 +29,7 @@ public final class Scripts {
   public static String bundle(String entry) {
     Scripts scripts = new Scripts();
     scripts.add(entry);
-    return "'use strict';\n"
-        + Palette.script()
-        + SpokenNames.script()
-        + String.join("", scripts.modules.values());
+    return "'use strict';\n" + Palette.script() + String.join("", scripts.modules.values());
   }
 
   /** The variable of a bundle that has a module's exports. */

@@ -1,40 +1,17 @@
 // The words that people read for names in files; tooltips have the names themselves. SpokenNames
-// writes WORDS.
+// writes SPOKEN, for the names in a page's data.
 import {el} from './dom.js';
 import {decimals, decimalsOf, percent, significant} from './numbers.js';
 
-/** The user's own words for policies and detections. */
-let labels = {};
-
-export const useLabels = own => (labels = own ?? {});
+/** Replaces names by the user's own words for policies and detections. */
+export const useLabels = (labels = {}) =>
+  Object.entries(labels).forEach(([name, text]) => SPOKEN.set(name, text));
 
 /** The name of a column or setting in words. */
 export const words = name => name.replaceAll('_', ' ');
 
 /** A policy, detection or objective, such as hifi:orb-lin@chance or covered:k=2, in words. */
-export function spelled(spec) {
-  if (Object.hasOwn(labels, spec)) return labels[spec];
-  const [, what, rule] = /^(.*?)(?:@([a-z0-9.].*))?$/.exec(spec);
-  const [name, options = ''] = what.split(/:(.*)/);
-  const parts = [
-    ...(/^(hifi|lab)$/.test(name)
-      ? [fitted(name, options)]
-      : [WORDS.models[name] ?? name, ...options.split(',')]),
-    ...(rule ? rule.split(/[:,]/).map(part => WORDS.rules[part] ?? part) : []),
-  ];
-  return parts
-    .filter(Boolean)
-    .map(part => part.replace('=', ' '))
-    .join(', ');
-}
-
-/** A fitted model in words: its detector, the law of its focal length, the chapter of its line. */
-function fitted(family, text) {
-  const [, detector, law, line] = /^([^-]+)-(.*?)(-gt)?$/.exec(text) ?? [null, text, ''];
-  const chapter = line ? ', chapter 5' : '';
-  const origin = family === 'lab' ? ', from the laboratory' : '';
-  return `${detector.toUpperCase()} ${WORDS.laws[law] ?? law}${chapter}${origin}`;
-}
+export const spelled = spec => SPOKEN.get(spec) ?? spec;
 
 /** A number with its unit: shares as percentages, with the digits that its interval gives it. */
 export function withUnit(value, unit = '', {low, high} = {}) {
@@ -64,6 +41,23 @@ export function settingText(value) {
       .join(', ');
   const isFraction = typeof value === 'number' && !Number.isInteger(value);
   return isFraction ? significant(value, 6) : String(value ?? '–');
+}
+
+const IN_METRES = /^(zooms|mount_height|focal_lengths)$/;
+
+/** The name of a setting in words, with its unit. */
+export const settingName = name => words(name) + (IN_METRES.test(name) ? ' (m)' : '');
+
+/** The names of settings, without those that say where another setting is from. */
+export const settingNames = settings =>
+  Object.keys(settings).filter(name => !name.endsWith('_from'));
+
+/** The value of one of the settings in words, and where it is from if they say that. */
+export function settingOf(settings, name) {
+  const value = settings[name];
+  const source = settings[`${name}_from`];
+  const text = typeof value === 'string' ? spelled(value) : settingText(value);
+  return source ? `${text} (${source})` : text;
 }
 
 /** A text with the raw name in its tooltip, if that differs. */

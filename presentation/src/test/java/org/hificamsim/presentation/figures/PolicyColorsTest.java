@@ -43,7 +43,15 @@ class PolicyColorsTest {
   }
 
   @Test
-  void spellsNamesAsPagesDo() {
+  void pagesHaveWordsOfNamesInTheirData() {
+    String script =
+        SpokenNames.script("{\"chosen\": \"sarsa | ucb1:c=2\", \"note\": \"a=b c\", \"k\": 1}");
+    assertEquals(
+        "const SPOKEN = new Map(Object.entries({\"ucb1:c=2\":\"ucb1, c 2\"}));\n", script);
+  }
+
+  @Test
+  void spellsNames() {
     assertEquals("ORB pinhole law", SpokenNames.of("hifi:orb-pinhole"));
     assertEquals("ORB linear, chapter 5, by chance", SpokenNames.of("hifi:orb-lin-gt@chance"));
     assertEquals("CamSim range, 0.45", SpokenNames.of("camsim-range@0.45"));
