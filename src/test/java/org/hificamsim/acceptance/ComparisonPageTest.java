@@ -219,9 +219,26 @@ return context.getImageData(2, 2, 1, 1).data.join();
     browser.until("return [...document.images].every(i => i.complete && i.naturalWidth > 100)");
     assertEquals(5, browser.findAll("img").size());
     assertEquals(1, browser.findAll(".lines canvas").size());
-    assertEquals(7, browser.findAll(".lines .u-legend .u-series").size());
+    assertEquals(4, browser.findAll(".lines .u-legend .u-series").size());
     assertEquals(List.of(address()), browser.requests());
     browser.assertQuietConsole();
+  }
+
+  @Test
+  void picturesFitIntoNarrowWindowAndOpenAlone() {
+    browser.size(400, 1000);
+    try {
+      open();
+      browser.until("return [...document.images].every(i => i.complete && i.clientWidth > 100)");
+      for (WebElement figure : browser.findAll(".pictures figure")) {
+        assertEquals(
+            true,
+            browser.run("return arguments[0].scrollWidth <= arguments[0].clientWidth", figure));
+      }
+      assertTrue(browser.find(".pictures figure a").getDomProperty("href").startsWith("blob:"));
+    } finally {
+      browser.size(1280, 1000);
+    }
   }
 
   @Test
@@ -284,6 +301,7 @@ return context.getImageData(2, 2, 1, 1).data.join();
   @Test
   void showsDifferentLegendEntryForEachCurve() {
     open();
+    new Select(browser.find(".card:has(.lines) select[name=detection]")).selectByValue("all");
     Set<String> looks = new HashSet<>();
     List<WebElement> pieces =
         browser.findAll(".lines .u-legend .u-series:not(:first-child) .u-marker");

@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -58,6 +59,17 @@ class RunPageTest {
       assertPlayheadsAt(step / (STEPS - 1.0));
     }
     browser.assertQuietConsole();
+  }
+
+  @Test
+  void namesEachFigureAndSettingOnce() {
+    open(run);
+    List<String> rows =
+        browser.findAll(".details tbody th").stream().map(WebElement::getText).toList();
+    assertEquals(rows.size(), Set.copyOf(rows).size(), rows.toString());
+    assertTrue(rows.containsAll(List.of("mean score", "summed score", "zoom change rate")));
+    assertFalse(rows.contains("performance") || rows.contains("steps from"), rows.toString());
+    assertTrue(browser.text("[data-row=steps]").endsWith("(option)"));
   }
 
   @Test

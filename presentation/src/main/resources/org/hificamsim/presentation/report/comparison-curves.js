@@ -172,8 +172,7 @@ function drawBands({ctx, data: [x], series, valToPos}, bands) {
 function yardstickLines(yardsticks, settings, {scenario, detection}) {
   if (!yardsticks || !settings) return [];
   const rows = rowsOf(yardsticks).filter(
-    row =>
-      row.scenario === scenario && row.detection === detection && row.yardstick !== OPTIMAL,
+    row => row.scenario === scenario && row.detection === detection && row.yardstick !== OPTIMAL,
   );
   const steps = settings.find(entry => entry.scenario === scenario)?.steps;
   return distinct(rows, 'yardstick').map(name => {

@@ -2,7 +2,7 @@
 import {card} from './cards.js';
 import {el} from './dom.js';
 import {inflate} from './inflate.js';
-import {settingText, spelled, words} from './names.js';
+import {settingName, settingNames, settingOf, spelled, words} from './names.js';
 import {decimals, percent, tableNumber} from './numbers.js';
 import {rowsOf, sortable} from './table.js';
 
@@ -17,7 +17,7 @@ const TITLES = {
   'coverage.svg': 'How many cameras cover the targets, by policy',
   'proportion.svg': 'The score of each policy as a share of the yardstick',
   'profile.svg': 'How many runs reach which share of the yardstick',
-  'cost.svg': 'The score over all runs, and what a step costs',
+  'cost.svg': 'How far each rung can be trusted over all scenarios, and what a step costs',
 };
 
 /** The labels of a ladder's columns, whose scores are those of each scenario's objective. */
@@ -135,36 +135,40 @@ async function picture({name, data}) {
   const image = new Blob([drawn.replace(/<\/svg\s*>\s*$/, `${DARK_STYLE}</svg>`)], {
     type: 'image/svg+xml',
   });
-  return el(
+  const src = URL.createObjectURL(image);
+  const figure = el(
     'figure',
-    {tabindex: 0}, // scrolls where the window is narrow
-    el('img', {
-      src: URL.createObjectURL(image),
-      alt: titleOf(name),
-      onload: ({target}) =>
-        target.parentElement.classList.toggle('wide', target.naturalWidth > WIDE_PICTURE),
-    }),
+    {},
+    el(
+      'a',
+      {href: src, target: '_blank', title: 'opens the picture alone'},
+      el('img', {
+        src,
+        alt: titleOf(name),
+        onload: ({target}) => figure.classList.toggle('wide', target.naturalWidth > WIDE_PICTURE),
+      }),
+    ),
     el('figcaption', {title: name}, titleOf(name)),
   );
+  return figure;
 }
 
 /** The settings of all cases: those that are the same once, the others in a table. */
 export function settingsCard(cases) {
-  const names = [...new Set(cases.flatMap(Object.keys))];
-  const isSame = name => new Set(cases.map(settings => settingText(settings[name]))).size === 1;
+  const names = [...new Set(cases.flatMap(settingNames))];
+  const isSame = name => new Set(cases.map(settings => settingOf(settings, name))).size === 1;
   const different = names.filter(name => !isSame(name));
   const columns = different.map(name => ({
     name,
-    label: words(name),
+    label: settingName(name),
     title: name,
-    show: text => (SPELLED.test(name) ? spelled(text) : text),
   }));
   const rows = cases.map(settings =>
-    Object.fromEntries(different.map(name => [name, settingText(settings[name])])),
+    Object.fromEntries(different.map(name => [name, settingOf(settings, name)])),
   );
   const same = names.filter(isSame).map(name => {
-    const value = el('b', {}, settingText(cases[0][name]));
-    return el('span', {class: 'setting', title: name}, `${words(name)}: `, value);
+    const value = el('b', {}, settingOf(cases[0], name));
+    return el('span', {class: 'setting', title: name}, `${settingName(name)}: `, value);
   });
   return card(
     'Settings',

@@ -82,4 +82,4 @@ export async function planPage(root, data) {
 }
 
 const picture = (src, alt) =>
-  el('div', {class: 'pictures fitted'}, el('figure', {class: 'wide'}, el('img', {src, alt})));
+  el('div', {class: 'pictures'}, el('figure', {class: 'wide'}, el('img', {src, alt})));

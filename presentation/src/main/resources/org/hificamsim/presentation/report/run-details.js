@@ -1,6 +1,14 @@
 // The numbers of a whole run, its settings, and how to run it again.
 import {el} from './dom.js';
-import {settingText, spelled, tipped, unitAfterPercent, withUnit, words} from './names.js';
+import {
+  settingName,
+  settingNames,
+  settingOf,
+  settingText,
+  tipped,
+  unitAfterPercent,
+  withUnit,
+} from './names.js';
 
 const LEADING = ['score', 'mean_score']; // the last first
 const OF_K_MIN = ['performance', 'mean_k_min']; // by that objective the same as those
@@ -26,10 +34,10 @@ export function details({summary, names, objective, command, version}) {
       el('td', {class: 'unit'}, unitAfterPercent(names[name].unit)),
     );
   });
-  const settings = Object.entries(summary.settings).flatMap(([name, value]) =>
+  const settings = settingNames(summary.settings).flatMap(name =>
     name === 'optics'
-      ? value.map(opticsRow)
-      : [row(name, words(name), name, settingCell(name, value))],
+      ? summary.settings.optics.map(opticsRow)
+      : [row(name, settingName(name), name, settingCell(summary.settings, name))],
   );
   return {
     wholeRun: table(
@@ -55,15 +63,9 @@ const scoreUnit = ({share, text}) =>
 const opticsRow = ({name, ...parts}) =>
   row('optics', `optics ${name}`, 'optics', el('td', {}, settingText(parts)));
 
-/** A setting that is written as an option is shown in words, with the option in the tooltip. */
-const settingCell = (name, value) =>
-  el(
-    'td',
-    {},
-    /^(detection|policy|objective)$/.test(name)
-      ? tipped(spelled(value), value)
-      : settingText(value),
-  );
+/** A setting in words, with an option as it is written in the tooltip. */
+const settingCell = (settings, name) =>
+  el('td', {}, tipped(settingOf(settings, name), String(settings[name])));
 
 export const row = (name, text, title, ...cells) =>
   el('tr', {data: {row: name}}, el('th', {scope: 'row', title}, text), ...cells);

@@ -46,8 +46,7 @@ class PolicyColorsTest {
   void pagesHaveWordsOfNamesInTheirData() {
     String script =
         SpokenNames.script("{\"chosen\": \"sarsa | ucb1:c=2\", \"note\": \"a=b c\", \"k\": 1}");
-    assertEquals(
-        "const SPOKEN = new Map(Object.entries({\"ucb1:c=2\":\"ucb1, c 2\"}));\n", script);
+    assertEquals("const SPOKEN = new Map(Object.entries({\"ucb1:c=2\":\"ucb1, c 2\"}));\n", script);
   }
 
   @Test
