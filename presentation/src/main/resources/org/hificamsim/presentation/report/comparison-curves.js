@@ -75,7 +75,10 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
           drawAxes: [chart => drawBands(chart, bands)],
           draw: [chart => nameYardsticks(chart, named, lines)],
         },
-        series: [{label: 'step'}, ...shown.map(entry => series(entry, share))],
+        series: [
+          {label: 'step', value: (chart, step) => step ?? ''},
+          ...shown.map(entry => series(entry, share)),
+        ],
         legend: {markers: {dash: (chart, i) => dashOf(shown[i - 1]?.detection).piece}},
       },
       [
