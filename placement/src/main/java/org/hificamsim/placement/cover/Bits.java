@@ -34,7 +34,7 @@ final class Bits {
     return count;
   }
 
-  /** Returns the members of a set that another one does not have. */
+  /** Returns the members of a set that another set does not have. */
   static long[] without(long[] bits, long[] removed) {
     long[] rest = bits.clone();
     for (int word = 0; word < rest.length; word++) {
@@ -43,7 +43,7 @@ final class Bits {
     return rest;
   }
 
-  /** Returns the members of a set, rising. */
+  /** Returns the members of a set in ascending order. */
   static int[] members(long[] bits) {
     return BitSet.valueOf(bits).stream().toArray();
   }

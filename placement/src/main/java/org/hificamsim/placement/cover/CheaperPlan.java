@@ -12,25 +12,26 @@ public final class CheaperPlan {
   /**
    * Returns the cheapest plan that is found.
    *
-   * @param instance with the prices that are to be paid
+   * @param instance the instance, with the prices that are to be paid
    * @param plan the plan to be replaced
    * @param maxCameras the greatest number of cameras
-   * @return a plan that is not dearer, perhaps the same
+   * @return a plan that is not more expensive, perhaps the same
    */
-  public static int[] of(CoverInstance instance, int[] plan, double maxCameras, Effort effort) {
+  public static int[] find(CoverInstance instance, int[] plan, double maxCameras, Effort effort) {
     if (!mayBeCheaper(instance, plan)) {
       return plan;
     }
-    CoverInstance same = instance.needingAtMost(instance.counts(plan));
+    CoverInstance sameCover = instance.needingAtMost(instance.counts(plan));
     Effort search = Effort.searchOnly(effort.seed(), effort.idleRounds(), effort.limits().all());
-    int[] found = CoverSearch.solve(same, Goal.FULL_COVER, search, (score, bound) -> {}).chosen();
+    int[] found =
+        CoverSearch.solve(sameCover, Goal.FULL_COVER, search, (score, bound) -> {}).chosen();
     boolean cheaper = instance.price(found) < instance.price(plan);
     return cheaper && found.length <= maxCameras ? found : plan;
   }
 
   /**
-   * Whether prices differ, or everything is covered. Otherwise each camera of a good plan adds
-   * something, and all cost the same.
+   * Whether prices differ, or everything is covered. Otherwise no plan can be cheaper, because all
+   * cameras have one price and each camera of a good plan adds something.
    */
   private static boolean mayBeCheaper(CoverInstance instance, int[] plan) {
     boolean pricesDiffer = Arrays.stream(instance.prices()).distinct().count() > 1;

@@ -7,10 +7,10 @@ import java.util.stream.IntStream;
  * A covering problem: points that are to be covered, and candidates with their prices and the
  * points that they cover.
  *
- * @param unitWorths by point, the worth of covering it once, 0 or more
- * @param needs by point, how many times of covering it count (its redundancy k), 0 or more
- * @param covered by candidate, the points that it covers, rising
- * @param prices by candidate, above 0
+ * @param unitWorths by point: the worth of covering it once, 0 or more
+ * @param needs by point: the number of times that covering it counts (its redundancy k), 0 or more
+ * @param covered by candidate: the points that it covers, in ascending order
+ * @param prices by candidate: its price, above 0
  */
 public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, double[] prices) {
   /** Returns an instance of points that are worth 1 when they are covered once. */
@@ -32,7 +32,7 @@ public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, d
     return covered.length;
   }
 
-  /** By point, how often some chosen candidates cover it. */
+  /** Returns by point the number of chosen candidates that cover it. */
   public int[] counts(int[] chosen) {
     int[] counts = new int[points()];
     for (int candidate : chosen) {
@@ -55,7 +55,7 @@ public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, d
   /**
    * The worth of covering the points.
    *
-   * @param counts by point, how often it is covered
+   * @param counts by point: the number of times that it is covered
    */
   public double worth(int[] counts) {
     double worth = 0;
@@ -68,7 +68,7 @@ public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, d
   /**
    * The worth of covering some points once more.
    *
-   * @param counts by point, how often it is covered already
+   * @param counts by point: the number of times that it is covered already
    */
   public double gain(int[] counts, int[] points) {
     return Arrays.stream(points)
@@ -87,19 +87,23 @@ public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, d
     return Arrays.stream(chosen).mapToDouble(candidate -> prices[candidate]).sum();
   }
 
-  /** Returns what remains to be covered when points are already covered this often by others. */
+  /**
+   * Returns the instance that remains if other cameras already cover the points.
+   *
+   * @param counts by point: the number of other cameras that cover it
+   */
   public CoverInstance remaining(int[] counts) {
     int[] remainingNeeds = new int[needs.length];
     Arrays.setAll(remainingNeeds, point -> Math.max(0, needs[point] - counts[point]));
     return new CoverInstance(unitWorths, remainingNeeds, covered, prices);
   }
 
-  /** Returns the instance in which no point needs more than all candidates together can do. */
+  /** Returns the instance in which no point needs more covers than all candidates together give. */
   public CoverInstance coverable() {
     return needingAtMost(counts(IntStream.range(0, candidates()).toArray()));
   }
 
-  /** Returns the instance in which no point needs more than some plan does. */
+  /** Returns the instance in which no point needs more covers than a plan gives. */
   CoverInstance needingAtMost(int[] counts) {
     int[] limitedNeeds = new int[needs.length];
     Arrays.setAll(limitedNeeds, point -> Math.min(needs[point], counts[point]));
@@ -111,7 +115,7 @@ public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, d
     return with(undominatedCandidates());
   }
 
-  /** The candidates that are not {@linkplain Dominance dominated}, rising. */
+  /** The candidates that are not {@linkplain Dominance dominated}, in ascending order. */
   public int[] undominatedCandidates() {
     return Dominance.undominated(this);
   }

@@ -3,37 +3,37 @@ package org.hificamsim.placement.cover;
 import java.util.Arrays;
 
 /**
- * A plan, and how much better any other plan could be.
+ * A plan, with a bound on the score of any other plan.
  *
- * @param chosen candidates, rising
+ * @param chosen the chosen candidates, in ascending order
  * @param score the worth of the plan; for full cover, its price
- * @param bound no plan has a greater worth; for full cover, a lower price
+ * @param bound the worth that no plan exceeds; for full cover, the price below which there is none
  * @param multiplierBound the bound that multipliers prove; {@code bound} is better if an {@link
  *     ExactMethod} improved it
- * @param seconds that the search took
+ * @param seconds the time that the search took
  */
 public record CoverPlan(
     int[] chosen, double score, double bound, MultiplierBound multiplierBound, double seconds) {
   /**
    * A bound with its proof.
    *
-   * @param value of the bound
-   * @param multipliers by point, from which {@link LagrangianBound#value} computes the bound for
-   *     the candidates that are not {@linkplain Dominance dominated}
+   * @param value the value of the bound
+   * @param multipliers by point: the multipliers from which {@link LagrangianBound#value} computes
+   *     the bound for the candidates that are not {@linkplain Dominance dominated}
    */
   public record MultiplierBound(double value, double[] multipliers) {}
 
   /**
    * Returns the plan with other numbers for its candidates.
    *
-   * @param numbers by present number, rising
+   * @param numbers the other numbers by present number, in ascending order
    */
   public CoverPlan withNumbers(int[] numbers) {
     int[] numbered = Arrays.stream(chosen).map(candidate -> numbers[candidate]).toArray();
     return new CoverPlan(numbered, score, bound, multiplierBound, seconds);
   }
 
-  /** Returns other candidates of the same problem, which are at least as good. */
+  /** Returns the plan with other candidates of the same problem, which are at least as good. */
   public CoverPlan replacedBy(int[] others, double otherScore) {
     return new CoverPlan(others, Math.max(score, otherScore), bound, multiplierBound, seconds);
   }

@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
  * Finds a plan, and a bound on all plans of the same candidates.
  *
  * <ol>
- *   <li>Dominated candidates are left out.
+ *   <li>Dominated candidates are omitted.
  *   <li>Two greedy plans, by gain and by gain per price, are made; the better one is at least half
  *       of 1 - 1/e of the best, together with the best single candidate (Khuller, Moss and Naor
  *       1999), which an exchange finds.
@@ -21,7 +21,7 @@ import java.util.stream.IntStream;
  * </ol>
  */
 public final class CoverSearch {
-  /** Is told about a new best plan or bound. */
+  /** Receives the score and the bound when one of them has improved. */
   @FunctionalInterface
   public interface Watcher {
     /** Receives the present score and bound. */
@@ -36,7 +36,7 @@ public final class CoverSearch {
   private static final double PRICE_NOISE = 0.1;
   private static final int KERNEL_CANDIDATES = 1000;
 
-  /** A greater gap, as a share of the score, shows that linear bounds say little. */
+  /** The gap, as a share of the score, above which linear bounds are of little use. */
   private static final double LOOSE_GAP = 0.03;
 
   /** A refilled plan with less than this share of the best worth is not improved by exchanges. */
@@ -52,7 +52,7 @@ public final class CoverSearch {
   /** The plan that is being changed. */
   private final Selection selection;
 
-  /** The best plan so far, rising; only {@link #keep} replaces it. */
+  /** The best plan so far, in ascending order; only {@link #keep} replaces it. */
   private int[] best = {};
 
   /** The score of the best plan. */
@@ -70,18 +70,18 @@ public final class CoverSearch {
   /**
    * Searches for a plan.
    *
-   * @param all the instance; for full cover it has to be {@link CoverInstance#coverable}
+   * @param instance the instance; for full cover it has to be {@link CoverInstance#coverable}
    */
-  public static CoverPlan solve(CoverInstance all, Goal goal, Effort effort, Watcher watcher) {
-    int[] undominated = all.undominatedCandidates();
-    CoverPlan plan = solveUndominated(all.with(undominated), goal, effort, watcher);
+  public static CoverPlan solve(CoverInstance instance, Goal goal, Effort effort, Watcher watcher) {
+    int[] undominated = instance.undominatedCandidates();
+    CoverPlan plan = solveUndominated(instance.with(undominated), goal, effort, watcher);
     return plan.withNumbers(undominated);
   }
 
   /**
    * Searches for a plan.
    *
-   * @param instance without dominated candidates; for full cover it has to be {@link
+   * @param instance the instance, without dominated candidates; for full cover it has to be {@link
    *     CoverInstance#coverable}
    */
   public static CoverPlan solveUndominated(
@@ -127,15 +127,15 @@ public final class CoverSearch {
     if (scoreIsBetter && Math.abs(bound - score) > 1e-6 * Math.max(1, Math.abs(score))) {
       throw new IllegalStateException("a plan scores " + score + " beyond its bound " + bound);
     }
-    return scoreIsBetter ? score : bound; // better by rounding
+    return scoreIsBetter ? score : bound; // the score can be better by rounding only
   }
 
   /**
-   * Solves the problem of some candidates; returns their bound. Where the gap is wide and the
-   * problem suits it, {@link Enumeration} takes the place of the method that was asked for.
+   * Solves the problem of some candidates, and returns their bound. If the gap is wide and the
+   * problem suits it, {@link Enumeration} replaces the method that the user asks for.
    *
-   * @param candidates rising, among them those of the best plan
-   * @param bound known already
+   * @param candidates the candidates, in ascending order, among them those of the best plan
+   * @param bound the bound that is known already
    */
   private double solveExactly(int[] candidates, double bound, Effort effort, BooleanSupplier end) {
     int[] start =

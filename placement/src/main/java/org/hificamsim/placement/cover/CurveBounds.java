@@ -5,27 +5,31 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Bounds on the worth of plans, by their price. Each is a {@link LagrangianBound} of its own whose
- * budget is the price. It begins with multipliers between those of the next dearer plan and the
- * unit worths, which are good for low prices, and is improved by subgradient steps.
+ * Computes bounds on the worth of plans by their price. Each is a {@link LagrangianBound} of its
+ * own whose budget is the price. It begins with multipliers between those of the next more
+ * expensive plan and the unit worths, which are good for low prices, and is improved by subgradient
+ * steps.
  */
 public final class CurveBounds {
-  /** The number of steps for all bounds together, and for each. */
-  private static final int STEPS = 1000;
+  /** The number of steps for all bounds together. */
+  private static final int TOTAL_STEPS = 1000;
 
+  /** The greatest number of steps for a bound. */
   private static final int MAX_STEPS = 300;
+
+  /** The smallest number of steps for a bound. */
   private static final int MIN_STEPS = 20;
 
-  /** The parts of the next dearer plan's multipliers in those that a bound may begin with. */
+  /** The parts of the more expensive plan's multipliers in those that a bound may begin with. */
   private static final List<Double> PARTS = List.of(0.0, 0.25, 0.5, 0.75, 1.0);
 
   private final CoverInstance instance;
 
-  /** The multipliers of the next dearer plan. */
+  /** The multipliers of the next more expensive plan. */
   private double[] multipliers;
 
   /**
-   * @param multipliers by point, worths that prove a bound for the dearest plan
+   * @param multipliers by point: the multipliers that prove a bound for the most expensive plan
    */
   public CurveBounds(CoverInstance instance, double[] multipliers) {
     this.instance = instance;
@@ -35,17 +39,17 @@ public final class CurveBounds {
   /**
    * Returns a bound for each plan.
    *
-   * @param prices of the plans, rising
-   * @param worths of the plans, rising
-   * @return by plan, the worth that no plan of its price exceeds, rising
+   * @param prices the prices of the plans, in ascending order
+   * @param worths the worths of the plans, in ascending order
+   * @return by plan the worth that no plan of its price exceeds, in ascending order
    */
   public double[] bounds(double[] prices, double[] worths) {
     double[] bounds = new double[prices.length];
-    double dearer = Double.POSITIVE_INFINITY;
-    int steps = Math.max(MIN_STEPS, Math.min(MAX_STEPS, STEPS / Math.max(1, prices.length)));
+    double nextBound = Double.POSITIVE_INFINITY;
+    int steps = Math.max(MIN_STEPS, Math.min(MAX_STEPS, TOTAL_STEPS / Math.max(1, prices.length)));
     for (int plan = prices.length - 1; plan >= 0; plan--) {
-      dearer = Math.min(dearer, bound(new Goal(prices[plan]), worths[plan], steps));
-      bounds[plan] = dearer;
+      nextBound = Math.min(nextBound, bound(new Goal(prices[plan]), worths[plan], steps));
+      bounds[plan] = nextBound;
     }
     return bounds;
   }

@@ -6,23 +6,23 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Finds the candidates that a plan may need. A candidate is dominated, and left out, if it covers
- * nothing, or if enough others cover all its points at no higher price: as many as the greatest
- * number of times that any point counts.
+ * Finds the candidates that a plan may need. A candidate is dominated, and omitted, if it covers
+ * nothing, or if enough others cover all its points at no higher price. Enough are as many as the
+ * greatest number of times that covering a point counts.
  *
  * <p>Candidates are compared with all those kept so far at once: the sets of kept candidates that
  * cover each of its points are intersected, as words of bits.
  */
 final class Dominance {
   /**
-   * So many points, all over a candidate, are compared first: most intersections are empty then.
+   * The number of points, spread over a candidate, that are compared first: most prove it needed.
    */
   private static final int FIRST_POINTS = 16;
 
   private final CoverInstance instance;
   private final int dominatorsNeeded;
 
-  /** By point, the kept candidates that cover it, by the order in which they were kept. */
+  /** By point: the kept candidates that cover it, by the order in which they were kept. */
   private final long[][] keptByPoint;
 
   private int kept;
@@ -33,7 +33,7 @@ final class Dominance {
     this.keptByPoint = new long[instance.points()][1];
   }
 
-  /** Returns the candidates that are not dominated, rising. */
+  /** Returns the candidates that are not dominated, in ascending order. */
   static int[] undominated(CoverInstance instance) {
     return new Dominance(instance).undominated();
   }
@@ -68,7 +68,7 @@ final class Dominance {
     kept++;
   }
 
-  /** Compares with the candidates kept so far, which cost no more. */
+  /** Whether enough of the candidates kept so far, which cost no more, cover all points. */
   private boolean isDominated(int[] points) {
     long[] dominators = Arrays.copyOf(keptByPoint[points[0]], kept / Long.SIZE + 1);
     int stride = Math.max(1, points.length / FIRST_POINTS);
@@ -85,7 +85,7 @@ final class Dominance {
     return Bits.count(dominators) >= dominatorsNeeded;
   }
 
-  /** Removes what is not in another set; returns whether anything is left. */
+  /** Removes the members that are not in another set, and returns whether any are left. */
   private static boolean intersect(long[] bits, long[] others) {
     long left = 0;
     int words = Math.min(bits.length, others.length);

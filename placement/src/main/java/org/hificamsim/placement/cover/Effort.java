@@ -4,20 +4,20 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
 /**
- * How a plan is searched for, and for how long.
+ * The method and the time of a search for a plan.
  *
- * @param seed of the search's random choices
- * @param idleRounds number of rounds without a better plan after which the search ends
- * @param exact a method that closes the gap after the search
+ * @param seed the seed of the search's random choices
+ * @param idleRounds the number of rounds without a better plan after which the search ends
+ * @param exact the method that closes the gap after the search
  */
 public record Effort(long seed, int idleRounds, Optional<ExactMethod> exact, Limits limits) {
   /**
-   * When each part of the work has to end.
+   * Tell whether each part of the work has to end.
    *
-   * @param search the search; a plan is found even if this is true at once
-   * @param kernel the exact method's work on the most promising candidates
-   * @param exact the exact method
-   * @param all everything
+   * @param search whether the search has to end; a plan is found even if this is true at once
+   * @param kernel whether the exact method's work on the most promising candidates has to end
+   * @param exact whether the exact method has to end
+   * @param all whether all work has to end
    */
   public record Limits(
       BooleanSupplier search, BooleanSupplier kernel, BooleanSupplier exact, BooleanSupplier all) {}

@@ -4,9 +4,10 @@ import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
- * Proves plans of few cameras, for which linear bounds say little, by a search of all plans that
- * could be better: for points that have equal worth and count once, and candidates of equal price.
- * The search first proves that no plan is better by 1 %, and then that none is better at all.
+ * Proves plans of few cameras, for which linear bounds are of little use, by a search of all plans
+ * that could be better. It solves problems whose points have equal worth and count once, and whose
+ * candidates have equal prices. The search first proves that no plan is better by 1 %, and then
+ * that none is better at all.
  */
 final class Enumeration implements ExactMethod {
   private static final double[] MARGINS = {0.01, 0};

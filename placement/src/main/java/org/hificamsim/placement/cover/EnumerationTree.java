@@ -18,10 +18,10 @@ import java.util.stream.IntStream;
  * </ul>
  */
 final class EnumerationTree {
-  /** A group of points is chosen in so many parts, if more than three cameras remain. */
+  /** The number of parts in which a group of points is chosen if more than three cameras remain. */
   private static final int GROUP_PARTS = 20;
 
-  /** A group of points is chosen in so many parts, if three cameras remain. */
+  /** The number of parts in which a group of points is chosen if three cameras remain. */
   private static final int LAST_GROUP_PARTS = 4;
 
   private final BooleanSupplier stop;
@@ -37,7 +37,7 @@ final class EnumerationTree {
 
   /**
    * @param start the best plan so far
-   * @param cameras number of cameras of a plan
+   * @param cameras the number of cameras of a plan
    */
   EnumerationTree(CoverInstance instance, int[] start, int cameras, BooleanSupplier stop) {
     this.stop = stop;
@@ -57,7 +57,7 @@ final class EnumerationTree {
     bestCovered = coverablePoints - Bits.count(uncovered(start));
   }
 
-  /** The best plan found: candidates, rising. */
+  /** The candidates of the best plan that was found, in ascending order. */
   int[] best() {
     return best;
   }
@@ -79,7 +79,7 @@ final class EnumerationTree {
   /**
    * Searches for plans that are better by more than a margin.
    *
-   * @param newMargin as a share of the points that the best plan covers
+   * @param newMargin the margin, as a share of the points that the best plan covers
    * @return the number of points that no plan exceeds; infinite if the search was stopped
    */
   double search(double newMargin) {
@@ -101,8 +101,8 @@ final class EnumerationTree {
    * Searches all plans that extend the path.
    *
    * @param uncovered the points that the path does not cover
-   * @param parentGains gains of the allowed candidates at the parent node, the greatest first
-   * @param depth number of candidates on the path
+   * @param parentGains the gains of the allowed candidates at the parent node, the greatest first
+   * @param depth the number of candidates on the path
    */
   private void extend(long[] uncovered, long[] parentGains, int depth) {
     int remaining = path.length - depth;
@@ -159,7 +159,10 @@ final class EnumerationTree {
     }
   }
 
-  /** If this is false for a candidate, it is false for all that follow it, which gain less. */
+  /**
+   * Whether plans with a candidate can be better. If not, this is also false for all candidates
+   * that follow it, which gain less.
+   */
   private boolean canReach(int coveredPoints, long gain, long[] rest, int depth) {
     int others = Gain.sumOfFirst(rest, path.length - depth - 1);
     return coveredPoints + Gain.gain(gain) + others >= requiredCovered;
@@ -179,7 +182,7 @@ final class EnumerationTree {
   }
 
   /**
-   * Computes the gains of the candidates that a plan can contain which adds what is missing.
+   * Computes the gains of the candidates with which a plan can still add the missing points.
    *
    * @return the gains, the greatest first
    */
@@ -237,7 +240,7 @@ final class EnumerationTree {
     return group;
   }
 
-  /** A gain with its candidate, as a number whose order is: greatest gain first, then candidate. */
+  /** Packs a gain and its candidate into a number that sorts the greatest gain first. */
   private static final class Gain {
     private Gain() {}
 

@@ -11,8 +11,9 @@ public interface ExactMethod {
   /**
    * A plan that is at least as good as the one given.
    *
-   * @param chosen candidates
-   * @param bound no plan has a greater worth; for full cover, a lower price
+   * @param chosen the chosen candidates
+   * @param bound the worth that no plan exceeds; for full cover, the price below which there is
+   *     none
    */
   record Result(int[] chosen, double bound) {}
 
@@ -20,7 +21,7 @@ public interface ExactMethod {
    * Searches until the plan is proven, or the search is stopped.
    *
    * @param start a plan within the budget; for full cover, one that covers everything
-   * @param bound a bound that is known already
+   * @param bound the bound that is known already
    */
   Result solve(CoverInstance instance, Goal goal, int[] start, double bound, BooleanSupplier stop);
 

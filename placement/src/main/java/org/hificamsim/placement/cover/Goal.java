@@ -60,7 +60,7 @@ public record Goal(double budget) {
     double steps = bound / scoreStep;
     double margin = ROUNDING * Math.max(1, Math.abs(steps));
     double whole = isFullCover() ? Math.ceil(steps - margin) : Math.floor(steps + margin);
-    return scoreStep * whole + 0.0; // 0.0 makes -0.0 a 0 as people write it
+    return scoreStep * whole + 0.0; // adding 0.0 turns -0.0 into 0.0
   }
 
   /** Whether no plan within a bound is better than a score. */

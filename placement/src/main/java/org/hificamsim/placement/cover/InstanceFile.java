@@ -9,14 +9,14 @@ import java.util.List;
 import org.hificamsim.core.file.TextLines;
 
 /**
- * Set cover instances as files of whole numbers between blanks, in the two forms of OR-Library.
- * Points and candidates are numbered from 1; how many there are of each comes first. (Messages call
- * points samples, as the command line does.)
+ * Reads and writes set cover instances as files of whole numbers between blanks, in the two forms
+ * of OR-Library. The numbers of points and candidates come first; both are numbered from 1.
+ * (Messages call points samples, as the command line does.)
  *
- * <p>In the form {@code scp}, all prices follow; then, for each point, the number of candidates
- * that cover it, and these candidates. In the form {@code candidates}, which OR-Library uses for
- * the rail instances, there follow for each candidate its price, the number of points that it
- * covers, and these points.
+ * <p>The form {@code scp} continues with all prices, and then, for each point, the number of
+ * candidates that cover it, and these candidates. The form {@code candidates}, which OR-Library
+ * uses for the rail instances, continues with the price of each candidate, the number of points
+ * that it covers, and these points.
  */
 public final class InstanceFile {
   /** The order of the numbers in a file. */
@@ -47,8 +47,8 @@ public final class InstanceFile {
   }
 
   private CoverInstance instance(Form form) {
-    int points = next("the number of samples", 1, MAX_NUMBER);
-    int candidates = next("the number of candidates", 1, MAX_NUMBER);
+    int points = nextNumber("the number of samples", 1, MAX_NUMBER);
+    int candidates = nextNumber("the number of candidates", 1, MAX_NUMBER);
     double[] prices = new double[candidates];
     List<List<Integer>> covered = new ArrayList<>();
     for (int candidate = 0; candidate < candidates; candidate++) {
@@ -69,27 +69,27 @@ public final class InstanceFile {
 
   private void readByPoint(int points, double[] prices, List<List<Integer>> covered) {
     for (int candidate = 0; candidate < prices.length; candidate++) {
-      prices[candidate] = next("a price", 1, MAX_NUMBER);
+      prices[candidate] = nextNumber("a price", 1, MAX_NUMBER);
     }
     for (int point = 0; point < points; point++) {
-      int count = next("a count", 0, prices.length);
+      int count = nextNumber("a count", 0, prices.length);
       for (int i = 0; i < count; i++) {
-        covered.get(next("a candidate", 1, prices.length) - 1).add(point);
+        covered.get(nextNumber("a candidate", 1, prices.length) - 1).add(point);
       }
     }
   }
 
   private void readByCandidate(int points, double[] prices, List<List<Integer>> covered) {
     for (int candidate = 0; candidate < prices.length; candidate++) {
-      prices[candidate] = next("a price", 1, MAX_NUMBER);
-      int count = next("a count", 0, points);
+      prices[candidate] = nextNumber("a price", 1, MAX_NUMBER);
+      int count = nextNumber("a count", 0, points);
       for (int i = 0; i < count; i++) {
-        covered.get(candidate).add(next("a sample", 1, points) - 1);
+        covered.get(candidate).add(nextNumber("a sample", 1, points) - 1);
       }
     }
   }
 
-  private int next(String name, int least, int greatest) {
+  private int nextNumber(String name, int least, int greatest) {
     String expected = "%s, a whole number from %s to %s".formatted(name, least, greatest);
     while (field >= lines.count()) {
       if (!lines.nextFields()) {
@@ -106,8 +106,8 @@ public final class InstanceFile {
   }
 
   /**
-   * Writes an instance, with prices rounded to whole numbers. The form {@code scp} leaves out
-   * points that no candidate covers.
+   * Writes an instance, with prices rounded to whole numbers. The form {@code scp} omits points
+   * that no candidate covers.
    */
   public static void write(Writer out, CoverInstance instance, Form form) throws IOException {
     int[] numbers = numbers(instance, form);
@@ -120,7 +120,7 @@ public final class InstanceFile {
     }
   }
 
-  /** By point, its number in the file, from 1; 0 if it is left out. */
+  /** Returns by point its number in the file, from 1; 0 if it is omitted. */
   private static int[] numbers(CoverInstance instance, Form form) {
     int[] possibleNeeds = instance.coverable().needs();
     int[] numbers = new int[possibleNeeds.length];

@@ -6,10 +6,10 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 
 /**
- * A bound on the score of any plan, by Lagrangian relaxation. Covering a point has a price of its
- * own, its multiplier, so that candidates no longer depend on each other (Beasley, EJOR 31(1),
- * 1987, for set cover; the same for cover within a budget, which has a multiplier, too). The bound
- * holds for any multipliers; subgradient steps improve it.
+ * Bounds the score of any plan by Lagrangian relaxation. Covering a point has a price of its own,
+ * its multiplier, so that candidates no longer depend on each other (Beasley, EJOR 31(1), 1987, for
+ * set cover; in the same way for a budget, which has a multiplier, too). The bound holds for any
+ * multipliers; subgradient steps improve it.
  *
  * <p>The multipliers of a greedy plan are the unit worth of points that still need to be covered,
  * and 0 for all others. With them, this is the data-dependent bound of submodular maximisation: the
@@ -25,13 +25,16 @@ public final class LagrangianBound {
   private final Goal goal;
   private final double scoreStep;
 
-  /** By point; a change is followed by new {@link #multiplierSums} and {@link #worthOfPrice}. */
+  /**
+   * The multipliers by point. After a change, {@link #multiplierSums} and {@link #worthOfPrice} are
+   * computed again.
+   */
   private final double[] multipliers;
 
-  /** Those that prove {@link #bound}. */
+  /** The multipliers that prove {@link #bound}. */
   private final double[] bestMultipliers;
 
-  /** By candidate, the sum of the multipliers of its points. */
+  /** By candidate: the sum of the multipliers of its points. */
   private final double[] multiplierSums;
 
   /** The worth of a price of 1, for the present multipliers: the multiplier of the budget. */
@@ -42,7 +45,7 @@ public final class LagrangianBound {
   private int idleSteps;
 
   /**
-   * @param multipliers by point, to begin with
+   * @param multipliers the first multipliers, by point
    */
   LagrangianBound(CoverInstance instance, Goal goal, double[] multipliers) {
     this.instance = instance;
@@ -57,7 +60,7 @@ public final class LagrangianBound {
   /**
    * Returns the bound that a first plan gives.
    *
-   * @param counts by point, how often the plan covers it
+   * @param counts by point: the number of times that the plan covers it
    */
   static LagrangianBound of(CoverInstance instance, Goal goal, int[] counts) {
     double[] multipliers =
@@ -65,7 +68,10 @@ public final class LagrangianBound {
     return new LagrangianBound(instance, goal, multipliers);
   }
 
-  /** By point, the least price per point of a candidate that covers it; 0 if it needs no cover. */
+  /**
+   * Returns by point the least price per point of a candidate that covers it; 0 if the point needs
+   * no cover.
+   */
   private static double[] cheapestShares(CoverInstance instance) {
     double[] shares = new double[instance.points()];
     Arrays.fill(shares, Double.POSITIVE_INFINITY);
@@ -81,7 +87,7 @@ public final class LagrangianBound {
     return shares;
   }
 
-  /** By point, the worth of covering it once more than a plan does. */
+  /** Returns by point the worth of covering it once more than a plan does. */
   private static double[] openUnitWorths(CoverInstance instance, int[] counts) {
     double[] worths = new double[instance.points()];
     for (int point = 0; point < worths.length; point++) {
@@ -91,7 +97,7 @@ public final class LagrangianBound {
     return worths;
   }
 
-  /** No plan has a greater worth; for full cover, a lower price. */
+  /** The worth that no plan exceeds; for full cover, the price below which there is no plan. */
   double bound() {
     return goal.tightened(bound, scoreStep);
   }
@@ -102,11 +108,11 @@ public final class LagrangianBound {
   }
 
   /**
-   * Returns the candidates that a better plan may contain, and those of the best plan so far,
-   * rising.
+   * Returns the candidates that a better plan may contain, and those of the best plan so far, in
+   * ascending order.
    */
   int[] openCandidates(double score, int[] plan) {
-    double value = goBack();
+    double value = restoreBest();
     return IntStream.range(0, multiplierSums.length)
         .filter(
             candidate -> {
@@ -118,14 +124,14 @@ public final class LagrangianBound {
         .toArray();
   }
 
-  /** The sum of a candidate's multipliers less its price, in worth. */
+  /** The sum of the multipliers of a candidate's points minus the worth of its price. */
   private double surplus(int candidate) {
     return multiplierSums[candidate] - worthOfPrice * instance.prices()[candidate];
   }
 
-  /** Returns the candidates with the lowest reduced prices, and those of a plan, rising. */
+  /** Returns the candidates with the lowest reduced prices and those of a plan, ascending. */
   int[] cheapestCandidates(int count, int[] plan) {
-    goBack();
+    restoreBest();
     IntStream cheapest =
         IntStream.range(0, multiplierSums.length)
             .boxed()
@@ -136,9 +142,9 @@ public final class LagrangianBound {
   }
 
   /**
-   * The bound that multipliers prove.
+   * Computes the bound that multipliers prove.
    *
-   * @param multipliers by point, 0 or more
+   * @param multipliers the multipliers by point, 0 or more
    */
   public static double value(CoverInstance instance, Goal goal, double[] multipliers) {
     double[] sums = new double[instance.candidates()];
@@ -147,7 +153,7 @@ public final class LagrangianBound {
     return goal.tightened(value, goal.scoreStep(instance));
   }
 
-  /** Updates sums and worth of price after a change of multipliers; returns what these prove. */
+  /** Updates all sums after a change of multipliers, and returns the bound that these prove. */
   private double updatedValue() {
     addUp(instance, multipliers, multiplierSums);
     worthOfPrice = worthOfPrice(instance, goal, multiplierSums);
@@ -215,7 +221,7 @@ public final class LagrangianBound {
   /**
    * Improves the bound by subgradient steps (Held, Wolfe and Crowder 1974).
    *
-   * @param score of the best plan so far
+   * @param score the score of the best plan so far
    */
   void improve(int steps, double score, BooleanSupplier stop) {
     for (int i = 0; i < steps && !proves(score) && !stop.getAsBoolean(); i++) {
@@ -238,13 +244,13 @@ public final class LagrangianBound {
       System.arraycopy(multipliers, 0, bestMultipliers, 0, bestMultipliers.length);
     } else if (idleSteps % IDLE_STEPS_PER_SCALE == 0) {
       scale /= 2;
-      goBack();
+      restoreBest();
     }
   }
 
   /**
-   * By point, how often the best solution of the relaxed problem covers it. Candidates that are
-   * worth exactly their price share what is left of the budget.
+   * Returns by point the number of times that the best solution of the relaxed problem covers it.
+   * Candidates that are worth exactly their price share the rest of the budget.
    */
   private double[] relaxedCoverage() {
     double[] coverage = new double[instance.points()];
@@ -271,8 +277,8 @@ public final class LagrangianBound {
     return 1e-9 * worthOfPrice * instance.prices()[candidate];
   }
 
-  /** Goes back to the best multipliers, and returns the value that they prove. */
-  private double goBack() {
+  /** Restores the best multipliers, and returns the bound that they prove. */
+  private double restoreBest() {
     System.arraycopy(bestMultipliers, 0, multipliers, 0, bestMultipliers.length);
     return updatedValue();
   }
@@ -285,9 +291,9 @@ public final class LagrangianBound {
 
   /**
    * Raises the multipliers of points that are covered too seldom, and lowers those of points that
-   * are covered too often, within the limits of multipliers.
+   * are covered too often, within their range.
    *
-   * @param gap between bound and score, to which the step is proportional
+   * @param gap the gap between bound and score, to which the step is proportional
    */
   private void move(double[] coverage, double gap) {
     double[] gradient = new double[coverage.length];
@@ -317,7 +323,7 @@ public final class LagrangianBound {
     return scale < MIN_SCALE;
   }
 
-  /** The price of a candidate less its worth, for the present multipliers. */
+  /** The price of a candidate minus its worth for the present multipliers. */
   double reducedPrice(int candidate) {
     return instance.prices()[candidate]
         - multiplierSums[candidate] / Math.max(worthOfPrice, EPSILON);

@@ -2,7 +2,7 @@ package org.hificamsim.placement.cover;
 
 import java.util.Arrays;
 
-/** The selected candidates, and how often they cover each point, updated with each change. */
+/** The selected candidates, with the number of times that they cover each point. */
 final class Selection {
   private final CoverInstance instance;
   private final boolean[] selected;
@@ -21,19 +21,19 @@ final class Selection {
     for (int candidate : candidates()) {
       remove(candidate);
     }
-    worth = 0; // removals leave rounding errors
+    worth = 0; // removes rounding errors
     price = 0;
     for (int candidate : candidates) {
       add(candidate);
     }
   }
 
-  /** The worth that a candidate would add, or the one that it adds if it is selected. */
+  /** The worth that a candidate adds, or would add if it were selected. */
   double gain(int candidate) {
-    int own = selected[candidate] ? 1 : 0;
+    int ownCover = selected[candidate] ? 1 : 0;
     double gain = 0;
     for (int point : instance.covered()[candidate]) {
-      gain += counts[point] - own < instance.needs()[point] ? instance.unitWorths()[point] : 0;
+      gain += counts[point] - ownCover < instance.needs()[point] ? instance.unitWorths()[point] : 0;
     }
     return gain;
   }
@@ -79,7 +79,7 @@ final class Selection {
     return selected[candidate];
   }
 
-  /** The selected candidates, rising. */
+  /** The selected candidates, in ascending order. */
   int[] candidates() {
     int[] candidates = new int[selected.length];
     int count = 0;

@@ -18,9 +18,10 @@ import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.Setup;
 
 /**
- * What cameras see of the plan in the views that they are mounted with: sectors as wide as their
- * pictures, cut by walls, as far as the zone asks in which a camera covers most. Sectors begin at
- * the camera; in its blind zone people are too near, below the picture.
+ * The parts of a site that cameras see in the views in which they are mounted. Each is a sector as
+ * wide as the picture and cut by walls. It reaches as far as people are detected in the way of the
+ * zone of which the camera covers most. A sector begins at the camera; in its blind zone, people
+ * are so near that they are below the picture.
  */
 final class CameraSectors {
   private final List<CameraPose> poses = new ArrayList<>();
@@ -34,7 +35,7 @@ final class CameraSectors {
     for (int camera = 0; camera < plan.cameras().size(); camera++) {
       Detection detection = detection(plan, camera);
       Setup setup =
-          setups.computeIfAbsent(detection, asked -> Setup.of(world, asked, "fixed", 0, List.of()));
+          setups.computeIfAbsent(detection, key -> Setup.of(world, key, "fixed", 0, List.of()));
       CameraPose pose = setup.cameras().get(camera).pose();
       int view = cameras.view(camera);
       poses.add(pose);
@@ -47,7 +48,7 @@ final class CameraSectors {
     }
   }
 
-  /** The detection of the zone in which a camera covers most points. */
+  /** Returns the detection of the zone in which a camera covers most points. */
   private static Detection detection(CameraPlan plan, int camera) {
     int[] counts = new int[plan.demand().zones().size()];
     int most = 0;
@@ -59,20 +60,24 @@ final class CameraSectors {
     return plan.demand().zones().get(most).detection();
   }
 
-  /** The sector of a camera, by its number in the plan, with its blind zone; metres. */
+  /**
+   * Returns the sector of a camera, in metres. Its blind zone is a part of it.
+   *
+   * @param camera number of the camera in the plan
+   */
   Area sector(int camera) {
     return sector(camera, reaches.get(camera).far());
   }
 
   /**
-   * What a camera sees.
+   * The sector of a camera, in metres.
    *
-   * @param area from the camera as far as people are seen, metres
+   * @param area from the camera to where people are no longer seen
    * @param blindZone the part in which people are too near
    */
   record Sector(Area area, Area blindZone) {}
 
-  /** The sectors of all cameras. */
+  /** Returns the sectors of all cameras, in the order of the plan. */
   List<Sector> all() {
     return IntStream.range(0, reaches.size())
         .mapToObj(camera -> new Sector(sector(camera), sector(camera, reaches.get(camera).near())))
@@ -84,7 +89,8 @@ final class CameraSectors {
     int view = cameras.view(camera);
     double heading = Math.toDegrees(pose.heading() + cameras.pan(camera, view));
     double width = Math.toDegrees(cameras.zoom(camera, view).viewingAngle());
-    double start = heading - 90 - width / 2; // clockwise from +x, as Arc2D counts where y is up
+    // Arc2D counts angles clockwise from +x if y points upwards
+    double start = heading - 90 - width / 2;
     Area sector =
         new Area(
             new Arc2D.Double(

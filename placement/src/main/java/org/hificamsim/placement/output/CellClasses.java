@@ -16,16 +16,17 @@ import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.runs.cells.FieldCells;
 
 /**
- * The cells of a plan, each in one of some classes.
+ * The cells of a plan, sorted into classes by what cameras see of them. A picture of the plan
+ * colours them by class.
  *
- * @param values by cell, the number of its class, NaN if nobody asks for it
+ * @param values by cell: the number of its class; NaN if no zone asks for the cell
  * @param colors of the classes
  * @param labels of the classes
  */
 record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<String> labels) {
   /**
-   * How cells are seen: by no camera, by fewer than one of their zones asks for, or as all their
-   * zones ask.
+   * Returns classes that tell how many cameras see a cell: none, fewer than one of its zones asks
+   * for, or as many as all its zones ask for.
    */
   static CellClasses coverage(CameraPlan plan) {
     FieldCells cells = plan.demand().finestCells();
@@ -46,12 +47,15 @@ record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<S
         List.of("seen by no camera", "by fewer than asked for", "as asked for"));
   }
 
-  /** Is told what a zone asks for in a cell. */
+  /** Receives the cells in which zones ask for something. */
   private interface CellPoint {
     void accept(int cell, ZoneDemand zone, int point);
   }
 
-  /** Passes, of each zone, all cells of the finest grid in which it asks for something. */
+  /**
+   * Calls the receiver for each zone and each cell of the finest grid in which the zone asks for
+   * something.
+   */
   private static void forEachPoint(Demand demand, CellPoint receiver) {
     for (ZoneDemand zone : demand.zones()) {
       int[] points = demand.pointsByCell(zone, demand.finestCells());
@@ -64,8 +68,8 @@ record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<S
   }
 
   /**
-   * The highest level of a standard that is reached in each cell; empty if zones ask for no level,
-   * or for levels of two standards.
+   * Returns classes that tell the highest level of a standard that cameras reach in each cell. The
+   * result is empty if zones ask for no level, or for levels of two standards.
    */
   static Optional<CellClasses> levels(CameraPlan plan, Catalogue catalogue) {
     List<String> asked =
@@ -76,7 +80,7 @@ record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<S
     }
     CellClasses coverage = coverage(plan);
     double[] reached = coverage.values;
-    Arrays.setAll(reached, cell -> 0 * reached[cell]); // cells without a point stay NaN
+    Arrays.setAll(reached, cell -> 0 * reached[cell]); // NaN stays NaN: cells without a point
     List<Color> colors = new ArrayList<>(List.of(Palette.UNSEEN));
     List<String> labels = new ArrayList<>(List.of("none"));
     int[] levelsOfPoints = new int[plan.demand().points().size()];

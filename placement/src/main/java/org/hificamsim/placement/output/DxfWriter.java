@@ -9,8 +9,8 @@ import org.hificamsim.core.Texts;
 import org.hificamsim.core.obstacle.Point;
 
 /**
- * Writes the pairs of an ASCII DXF of release 12, which all CAD programs read: a group code and, in
- * the next line, its value.
+ * Writes a drawing as ASCII DXF of release 12, which all CAD programs read. Such a file consists of
+ * pairs: a group code and, in the next line, its value.
  */
 record DxfWriter(Writer out) {
   void pair(int code, Object value) throws IOException {
@@ -21,7 +21,7 @@ record DxfWriter(Writer out) {
     pair(code, Texts.format("%.6f", value));
   }
 
-  /** Writes a text; characters beyond ASCII as {@code \U+00E4}. */
+  /** Writes a text. Characters beyond ASCII are escaped, as in {@code \U+00E4}. */
   void text(int code, String text) throws IOException {
     StringBuilder escaped = new StringBuilder();
     for (int i = 0; i < text.length(); i++) {
@@ -80,11 +80,11 @@ record DxfWriter(Writer out) {
   /** Writes each closed part of a path without curves. */
   void path(String layer, PathIterator path) throws IOException {
     List<Point> part = new ArrayList<>();
-    double[] at = new double[6];
+    double[] coordinates = new double[6];
     for (; !path.isDone(); path.next()) {
-      int segment = path.currentSegment(at);
+      int segment = path.currentSegment(coordinates);
       if (segment != PathIterator.SEG_CLOSE) {
-        part.add(new Point(at[0], at[1]));
+        part.add(new Point(coordinates[0], coordinates[1]));
       } else if (!part.isEmpty()) {
         polyline(layer, part, true);
         part = new ArrayList<>();

@@ -9,7 +9,7 @@ import java.awt.geom.Rectangle2D;
 import org.hificamsim.presentation.plot.Palette;
 
 /**
- * Parallel lines that fill a shape.
+ * A pattern of parallel lines that fills a shape.
  *
  * @param gap between lines along an axis, points
  * @param slope 1 for lines that rise to the right, -1 for lines that fall

@@ -8,7 +8,10 @@ import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** Finds places for labels beside their points, where they cover neither signs nor each other. */
+/**
+ * Finds places for labels near the points that they name, so that they cover neither signs nor each
+ * other.
+ */
 final class LabelPlaces {
   private static final int DIRECTIONS = 16;
   private static final List<Integer> DISTANCES = List.of(7, 14, 22, 32, 44, 60, 80);
@@ -17,18 +20,21 @@ final class LabelPlaces {
   private final List<Rectangle2D> taken = new ArrayList<>();
 
   /**
-   * @param area in which labels stay, if they can
+   * @param area in which labels are kept where there is room
    */
   LabelPlaces(Rectangle2D area) {
     this.area = area;
   }
 
-  /** Keeps labels off a square round a point. */
-  void avoid(Point2D point, double half) {
-    taken.add(new Rectangle2D.Double(point.getX() - half, point.getY() - half, 2 * half, 2 * half));
+  /** Keeps labels off a square around a point. */
+  void avoid(Point2D point, double halfSide) {
+    double side = 2 * halfSide;
+    taken.add(new Rectangle2D.Double(point.getX() - halfSide, point.getY() - halfSide, side, side));
   }
 
-  /** Returns the nearest free place of a label, or the one that overlaps least. */
+  /**
+   * Returns the free place for a label that is nearest to its point; else the least covered one.
+   */
   Rectangle2D place(Point2D point, double width, double height) {
     Rectangle2D place =
         places(point, width, height)

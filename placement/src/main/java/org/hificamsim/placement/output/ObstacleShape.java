@@ -12,13 +12,17 @@ import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.spec.Zone;
 
-/** The shapes of obstacles and zones in a plan, metres. */
+/** Draws obstacles, and outlines zones, on pictures of a plan. */
 final class ObstacleShape {
   private static final BasicStroke WALL = new BasicStroke(2);
 
   private ObstacleShape() {}
 
-  /** Paints an obstacle: a wall as a line, others filled. */
+  /**
+   * Paints an obstacle: a wall as a line, others as filled shapes.
+   *
+   * @param toPaper from metres on the site to points of the picture
+   */
   static void paint(Graphics2D graphics, Obstacle obstacle, AffineTransform toPaper) {
     if (obstacle instanceof Obstacle.Wall wall) {
       graphics.setStroke(WALL);
@@ -34,7 +38,7 @@ final class ObstacleShape {
     }
   }
 
-  /** The outline of a zone; empty for the whole field. */
+  /** Returns the outline of a zone in metres. It is empty if the zone is the whole field. */
   static Path2D outline(Zone zone) {
     List<Point> points = zone.points();
     return switch (zone.shape()) {

@@ -36,9 +36,9 @@ import org.hificamsim.placement.site.PointSight;
 import org.hificamsim.runs.output.ResultFolder;
 
 /**
- * Checks a plan from its folder alone. A target stands at each point of the demand, steps are
- * simulated as in {@code run}, and what cameras detect is counted: for the plan, and, if they were
- * written, for every candidate, from which the multipliers give the bound again.
+ * Checks a plan by nothing but the files in its folder. A target stands at each point of the
+ * demand, steps are simulated as in {@code run}, and what cameras detect is counted. If the folder
+ * has all candidates, these are simulated, too, and the multipliers then give the bound again.
  */
 public final class PlanCheck {
   private static final double MARGIN = 1e-6;
@@ -61,7 +61,8 @@ public final class PlanCheck {
    *
    * @param reader reads a scenario
    * @param detections finds the detection that a zone names
-   * @param effort of the exact method, if it has one, which proves what multipliers do not
+   * @param effort how to prove a bound that multipliers do not prove: by its exact method, if it
+   *     has one
    */
   public PlanCheck(
       Path folder,
@@ -148,7 +149,7 @@ public final class PlanCheck {
     return lines;
   }
 
-  /** Makes the bound again, and returns what is found about it. */
+  /** Computes the bound again, and returns a sentence about it. */
   private String bound(CoverInstance instance, int[] counts) {
     int kept = summary.path("kept").asInt();
     int[] keptCounts = counts(seen(cameras.subList(0, kept)));
@@ -189,7 +190,7 @@ public final class PlanCheck {
     }
   }
 
-  /** Returns what is found about the bound, as a part of a sentence. */
+  /** Checks the bound, and returns a part of a sentence about it. */
   private String checkBound(CoverInstance undominated, Goal goal, double score, double bound) {
     double multiplierBound = summary.path("bound_of_multipliers").asDouble(bound);
     double[] multipliers =
@@ -206,7 +207,7 @@ public final class PlanCheck {
         : "is checked by the method exact alone";
   }
 
-  /** Solves the problem again, without the plan. */
+  /** Solves the problem again, without knowing the plan, and returns a part of a sentence. */
   private String proveExactly(CoverInstance undominated, Goal goal, double bound) {
     CoverPlan found =
         CoverSearch.solveUndominated(undominated, goal, effort, (newScore, newBound) -> {});
@@ -236,7 +237,7 @@ public final class PlanCheck {
     return new InputException("%s: %s is %s, expected %s".formatted(file, name, value, expected));
   }
 
-  /** Returns the candidates of refined cameras, which have the same lenses in the same order. */
+  /** Returns the candidates from which cameras were refined; lenses and order are the same. */
   private int[] unrefined(List<CameraSpec> refined) {
     int[] chosen = new int[refined.size()];
     for (int i = 0; i < chosen.length; i++) {
@@ -250,7 +251,7 @@ public final class PlanCheck {
     return chosen;
   }
 
-  /** Returns the whole demand, by candidate, as a run sees it. */
+  /** Returns the covering problem of the whole demand, with what candidates detect in a run. */
   private CoverInstance instance(Runnable progress) {
     int[][] covered = new int[candidates.size()][];
     double[] prices = new double[covered.length];

@@ -26,18 +26,26 @@ import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.cells.FieldCells;
 
 /**
- * A plan drawn to scale: its cells by class, what each camera sees as a sector from the camera, its
- * blind zone hatched, obstacles, zones, names that do not collide, a scale bar, north, a legend.
+ * A picture of a plan, drawn to scale. It shows cells in the colours of their classes, the sector
+ * that each camera sees with its blind zone hatched, obstacles, zones, and names of cameras and
+ * zones. A scale bar, an arrow to the north, and a legend are below it.
  */
 final class PlanDrawing implements Paintable {
   static final int WIDTH = 800;
   static final int MARGIN = 12;
   private static final int MAX_HEIGHT = 900;
-  private static final int FOOT = 34; // for the scale bar
+
+  /** The height of the strip with the scale bar. */
+  private static final int SCALE_BAR_HEIGHT = 34;
+
   private static final double CELL_STRENGTH = 0.4;
   private static final double SECTOR_STRENGTH = 0.04;
-  private static final double SEAM = 0.4; // cells overlap by so much, so that no gaps show
-  private static final double DOT = 4;
+
+  /** The width by which neighbouring cells overlap, so that no gaps show between them. */
+  private static final double OVERLAP = 0.4;
+
+  /** The radius of the dot that marks a camera. */
+  private static final double DOT_RADIUS = 4;
 
   private final Scenario site;
   private final List<CameraSpec> cameras;
@@ -49,8 +57,9 @@ final class PlanDrawing implements Paintable {
   private final PlanLegend legend;
 
   /**
-   * @param sectors of all cameras, or none, so that colours of cells stay as they are
-   * @param floor pictures below the plan
+   * @param sectors the sectors of all cameras; empty if none are to be drawn, which would change
+   *     the colours of cells
+   * @param floor pictures to be shown below the plan
    */
   PlanDrawing(
       CameraPlan plan,
@@ -72,7 +81,7 @@ final class PlanDrawing implements Paintable {
     this.legend = new PlanLegend(classes, CELL_STRENGTH, !sectors.isEmpty());
   }
 
-  /** The scale at which it is drawn. */
+  /** The scale of the drawing. */
   double pointsPerMetre() {
     return toPaper.getScaleX();
   }
@@ -84,7 +93,7 @@ final class PlanDrawing implements Paintable {
 
   @Override
   public int height() {
-    return (int) Math.ceil(area.getMaxY()) + FOOT + legend.height();
+    return (int) Math.ceil(area.getMaxY()) + SCALE_BAR_HEIGHT + legend.height();
   }
 
   @Override
@@ -103,7 +112,7 @@ final class PlanDrawing implements Paintable {
     graphics.draw(area);
     paintCameras(graphics);
     ScaleBar.paint(graphics, area, toPaper.getScaleX());
-    legend.paint(graphics, MARGIN, (int) Math.ceil(area.getMaxY()) + FOOT);
+    legend.paint(graphics, MARGIN, (int) Math.ceil(area.getMaxY()) + SCALE_BAR_HEIGHT);
   }
 
   private void paintFloor(Graphics2D graphics) {
@@ -112,8 +121,8 @@ final class PlanDrawing implements Paintable {
     for (Setup.Floor picture : floor) {
       BufferedImage image = FloorPictures.image(picture);
       Rectangle2D place = onPaper(picture.area()).getBounds2D();
-      // whole pixels: a scale in SVG has two decimals, by which a large picture lies beside its
-      // place
+      // Scales in SVG are rounded to two decimals, which would move a large picture off its place.
+      // So the picture is drawn to whole pixels.
       int left = (int) Math.round(place.getMinX());
       int top = (int) Math.round(place.getMinY());
       int width = (int) Math.round(place.getMaxX()) - left;
@@ -152,10 +161,10 @@ final class PlanDrawing implements Paintable {
         Point2D middle = onPaper(cells.x(cell), cells.y(cell));
         path.append(
             new Rectangle2D.Double(
-                middle.getX() - width / 2 - SEAM / 2,
-                middle.getY() - height / 2 - SEAM / 2,
-                width + SEAM,
-                height + SEAM),
+                middle.getX() - width / 2 - OVERLAP / 2,
+                middle.getY() - height / 2 - OVERLAP / 2,
+                width + OVERLAP,
+                height + OVERLAP),
             false);
       }
     }
@@ -166,14 +175,15 @@ final class PlanDrawing implements Paintable {
     return toPaper.transform(new Point2D.Double(x, y), null);
   }
 
-  private void paintSector(Graphics2D graphics, CameraSectors.Sector seen) {
-    Shape sector = toPaper.createTransformedShape(seen.area());
+  private void paintSector(Graphics2D graphics, CameraSectors.Sector sector) {
+    Shape area = toPaper.createTransformedShape(sector.area());
     graphics.setColor(Palette.pale(Palette.CAMERA, SECTOR_STRENGTH));
-    graphics.fill(sector);
-    Hatching.paint(graphics, toPaper.createTransformedShape(seen.blindZone()), Hatching.BLIND_ZONE);
+    graphics.fill(area);
+    Shape blindZone = toPaper.createTransformedShape(sector.blindZone());
+    Hatching.paint(graphics, blindZone, Hatching.BLIND_ZONE);
     graphics.setColor(Palette.CAMERA);
     graphics.setStroke(new BasicStroke(0.8f));
-    graphics.draw(sector);
+    graphics.draw(area);
   }
 
   private void paintZones(Graphics2D graphics) {
@@ -186,7 +196,7 @@ final class PlanDrawing implements Paintable {
 
   private void paintCameras(Graphics2D graphics) {
     LabelPlaces places = new LabelPlaces(area);
-    cameras.forEach(camera -> places.avoid(onPaper(camera.x(), camera.y()), DOT + 1));
+    cameras.forEach(camera -> places.avoid(onPaper(camera.x(), camera.y()), DOT_RADIUS + 1));
     for (CameraSpec camera : cameras) {
       Point2D point = onPaper(camera.x(), camera.y());
       paintSign(graphics, point, camera.heading());
@@ -201,7 +211,7 @@ final class PlanDrawing implements Paintable {
     }
   }
 
-  /** A camera: a dot with a line towards its heading. */
+  /** Paints the sign of a camera: a dot with a line in the direction of its heading. */
   static void paintSign(Graphics2D graphics, Point2D point, double heading) {
     double x = point.getX();
     double y = point.getY();
@@ -209,7 +219,8 @@ final class PlanDrawing implements Paintable {
     graphics.setColor(Palette.CAMERA);
     graphics.setStroke(new BasicStroke(2));
     graphics.draw(new Line2D.Double(x, y, x + 9 * Math.sin(radians), y - 9 * Math.cos(radians)));
-    graphics.fill(new Ellipse2D.Double(x - DOT, y - DOT, 2 * DOT, 2 * DOT));
+    graphics.fill(
+        new Ellipse2D.Double(x - DOT_RADIUS, y - DOT_RADIUS, 2 * DOT_RADIUS, 2 * DOT_RADIUS));
   }
 
   private static void paintName(

@@ -20,8 +20,9 @@ import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.placement.site.CameraPlan;
 
 /**
- * Writes a plan as DXF in metres, in the coordinates of the site: cameras as blocks with
- * attributes, the sectors that they see, zones, walls and the field, each on a layer of its own.
+ * Writes a plan as a drawing for CAD programs (DXF), in metres and in the coordinates of the site.
+ * Cameras, which are blocks with attributes, the sectors that they see, zones, walls and the field
+ * are each on a layer of their own.
  */
 final class PlanDxf {
   private static final String CAMERAS = "CAMERAS";
@@ -35,12 +36,20 @@ final class PlanDxf {
       new TreeMap<>(Map.of(CAMERAS, 1, SECTORS, 4, ZONES, 3, WALLS, 7, FIELD, 8));
 
   private static final String BLOCK = "CAMERA";
-  private static final int METRES = 6; // in $INSUNITS
-  private static final double FLATNESS = 0.02; // metres
-  private static final double TEXT_HEIGHT = 0.3; // metres
-  private static final double SYMBOL = 0.2; // metres, the radius of a camera's symbol
 
-  /** The attributes of a camera's block, by tag; only the name is shown. */
+  /** The value of the variable $INSUNITS for drawings in metres. */
+  private static final int METRES = 6;
+
+  /** The greatest distance of a curve from the lines that are drawn in its place, metres. */
+  private static final double FLATNESS = 0.02;
+
+  /** The height of texts, metres. */
+  private static final double TEXT_HEIGHT = 0.3;
+
+  /** The radius of a camera's symbol, metres. */
+  private static final double SYMBOL_RADIUS = 0.2;
+
+  /** The attributes of a camera's block, by tag. Programs show the name only. */
   private static final Map<String, BiFunction<CameraPlan, CameraSpec, String>> ATTRIBUTES =
       new LinkedHashMap<>();
 
@@ -122,7 +131,7 @@ final class PlanDxf {
     dxf.end();
   }
 
-  /** The block of a camera: a circle with a line towards its heading. */
+  /** Writes the block that stands for a camera: a circle with a line towards its heading. */
   private void blocks() throws IOException {
     dxf.begin("BLOCKS");
     dxf.entity("BLOCK", "0");
@@ -130,12 +139,12 @@ final class PlanDxf {
     dxf.pair(70, 2); // has attributes
     dxf.point(10, 0, 0);
     dxf.pair(3, BLOCK);
-    dxf.circle("0", new Point(0, 0), SYMBOL);
-    dxf.line("0", new Point(0, 0), new Point(0, 2.5 * SYMBOL));
+    dxf.circle("0", new Point(0, 0), SYMBOL_RADIUS);
+    dxf.line("0", new Point(0, 0), new Point(0, 2.5 * SYMBOL_RADIUS));
     int row = 0;
     for (String tag : ATTRIBUTES.keySet()) {
       dxf.entity("ATTDEF", "0");
-      dxf.point(10, 2 * SYMBOL, -row * TEXT_HEIGHT);
+      dxf.point(10, 2 * SYMBOL_RADIUS, -row * TEXT_HEIGHT);
       dxf.number(40, TEXT_HEIGHT);
       dxf.pair(1, "");
       dxf.pair(3, tag);
@@ -185,7 +194,7 @@ final class PlanDxf {
     int row = 0;
     for (var attribute : ATTRIBUTES.entrySet()) {
       dxf.entity("ATTRIB", CAMERAS);
-      dxf.point(10, camera.x() + 2 * SYMBOL, camera.y() - row * TEXT_HEIGHT);
+      dxf.point(10, camera.x() + 2 * SYMBOL_RADIUS, camera.y() - row * TEXT_HEIGHT);
       dxf.number(40, TEXT_HEIGHT);
       dxf.text(1, attribute.getValue().apply(plan, camera));
       dxf.pair(2, attribute.getKey());

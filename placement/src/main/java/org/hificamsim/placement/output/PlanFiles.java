@@ -33,7 +33,9 @@ import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.output.JsonOutput;
 import org.hificamsim.runs.output.ResultFolder;
 
-/** Writes the files of a plan: a scenario that runs, its figures, tables, pages and pictures. */
+/**
+ * Writes the files of a plan: a scenario that can be run, a summary, tables, pages and pictures.
+ */
 public final class PlanFiles {
   /** The scenario of the plan. */
   public static final String SCENARIO = "plan.xml";
@@ -47,12 +49,12 @@ public final class PlanFiles {
   private PlanFiles() {}
 
   /**
-   * What is written besides the plan.
+   * What documents contain besides the plan.
    *
-   * @param site the file of the site, beside which its floor plan is
+   * @param site the file of the site; its floor plan is in the same folder
    * @param floor the floor plan of the site
    * @param command the words of the command that made the plan
-   * @param progress is told what is done next
+   * @param progress receives the next part of the work, such as "draws the plan"
    */
   public record Content(
       Path site,
@@ -66,7 +68,7 @@ public final class PlanFiles {
     return PlanSheet.omission(plan);
   }
 
-  /** Adds the files of a plan that was searched for to a folder. */
+  /** Adds the files of a plan to a folder, among them those that tell how the search found it. */
   public static void write(OutputFolder folder, SitePlan plan, Catalogue catalogue, Content content)
       throws IOException {
     content.progress.accept("bounds the curve of coverage");
@@ -89,9 +91,9 @@ public final class PlanFiles {
   }
 
   /**
-   * Adds what people read of a plan, and its scenario, to a folder.
+   * Adds the documents about a plan, and its scenario, to a folder.
    *
-   * @param curve of coverage; no points where no plan was searched for
+   * @param curve the curve of coverage; empty if no plan was searched for
    */
   public static void writeDocuments(
       OutputFolder folder,
@@ -119,7 +121,9 @@ public final class PlanFiles {
             .mapToObj(i -> cameraRow(plan, i, sharesWithout[i])));
   }
 
-  /** Copies the picture of the site beside the plan, which names it. */
+  /**
+   * Copies the floor plan of the site into the folder, where the scenario of the plan expects it.
+   */
   private static void copyFloorplan(OutputFolder folder, CameraPlan plan, Path site)
       throws IOException {
     Optional<Floorplan> original = plan.demand().site().floorplan();
@@ -129,7 +133,7 @@ public final class PlanFiles {
     }
   }
 
-  /** Adds {@link #CANDIDATES}, which is large. */
+  /** Adds the file {@link #CANDIDATES}, which is large, to a folder. */
   public static void writeCandidates(OutputFolder folder, SitePlan plan) throws IOException {
     folder.write(CANDIDATES, ScenarioWriter.write(plan.candidateScenario()));
   }

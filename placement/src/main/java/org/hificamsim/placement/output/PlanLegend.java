@@ -14,7 +14,7 @@ import org.hificamsim.presentation.plot.Palette;
 
 /** The legend of a drawn plan. */
 final class PlanLegend {
-  /** The border of a zone. */
+  /** The dashed line by which the border of a zone is drawn. */
   static final BasicStroke ZONE_BORDER =
       new BasicStroke(
           1.3f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {6, 3}, 0);
@@ -26,7 +26,7 @@ final class PlanLegend {
 
   /**
    * @param strength the opacity of cells
-   * @param hasSectors whether it explains them
+   * @param hasSectors whether the drawing has sectors, which are to be explained
    */
   PlanLegend(CellClasses classes, double strength, boolean hasSectors) {
     List<LegendEntry> cells = new ArrayList<>();

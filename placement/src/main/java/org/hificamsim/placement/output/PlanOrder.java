@@ -8,14 +8,14 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.hificamsim.placement.site.CameraPlan;
 
-/** The products to order for a plan. */
+/** Finds which products have to be ordered for a plan. */
 final class PlanOrder {
   private PlanOrder() {}
 
   /**
-   * A product of the catalogue.
+   * A product of the catalogue and the quantity to order.
    *
-   * @param price of one
+   * @param price the price of a single one
    */
   record Product(String name, int quantity, double price, String currency) {
     /** The price of all. */
@@ -24,7 +24,7 @@ final class PlanOrder {
     }
   }
 
-  /** The products to order, by name. */
+  /** Returns the products to order, sorted by name. */
   static List<Product> of(CameraPlan plan, String currency) {
     Map<CameraPlan.Product, Long> quantities =
         plan.products().stream()

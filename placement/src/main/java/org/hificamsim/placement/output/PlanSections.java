@@ -171,7 +171,10 @@ final class PlanSections {
         rows);
   }
 
-  /** The zone that loses most of its cover, with the share that becomes blind; may be empty. */
+  /**
+   * Returns the name of the zone of which a greater share becomes blind than of all others, with
+   * this share; empty if none becomes blind.
+   */
   private String mostBlindZone(int[] countsWithout) {
     ToDoubleFunction<ZoneDemand> lostShare =
         zone -> unseenShare(zone, countsWithout) - unseenShare(zone, counts);

@@ -28,7 +28,7 @@ import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.report.Page;
 import org.hificamsim.runs.output.ManifestFile;
 
-/** A plan to hand on to a client: a page, a PDF of A4 pages, and the floor plan as SVG. */
+/** Writes a plan for clients: as a page, as a PDF of A4 pages, and the floor plan as SVG. */
 final class PlanSheet {
   /** The heights of pictures, as shares of the height of a page. */
   private static final double PLAN_HEIGHT = 0.45;
@@ -44,7 +44,7 @@ final class PlanSheet {
       "levels are not drawn, since the zones ask for those of two standards";
 
   /**
-   * What is written besides the plan.
+   * What documents contain besides the plan.
    *
    * @param floor the floor plan of the site
    * @param command the words of the command that made the plan
@@ -59,7 +59,7 @@ final class PlanSheet {
   private final List<Section> sections;
 
   /**
-   * @param points of the curve of coverage; none where no plan was searched for
+   * @param points the points of the curve of coverage; empty if no plan was searched for
    */
   PlanSheet(
       CameraPlan plan,

@@ -14,16 +14,17 @@ final class PlanTables {
   /**
    * A camera of the plan.
    *
-   * @param z where it hangs, metres; NaN in a world without heights
-   * @param coveredPoints number of points that it covers
-   * @param shareWithout share of the demand that is met without it
+   * @param z the height at which it hangs, metres; NaN in a world without heights
+   * @param coveredPoints the number of points that it covers
+   * @param shareWithout the share of the demand that is met without it
    */
   record CameraRow(CameraSpec camera, double z, int coveredPoints, double shareWithout) {}
 
   /**
    * A point of the demand.
    *
-   * @param count number of cameras that cover it
+   * @param count the number of cameras that cover it
+   * @param multiplier the price of covering it once, by which the bound is proven
    */
   record PointRow(ZoneDemand zone, DemandPoint point, int count, double multiplier) {}
 

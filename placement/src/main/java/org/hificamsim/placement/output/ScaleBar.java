@@ -9,7 +9,9 @@ import org.hificamsim.core.Texts;
 import org.hificamsim.presentation.plot.Fonts;
 import org.hificamsim.presentation.plot.Palette;
 
-/** A bar of a round length below a plan, and an arrow to the north, which is +y. */
+/**
+ * Shows the scale of a plan by a bar of a round length, and the north, which is +y, by an arrow.
+ */
 final class ScaleBar {
   private static final double LONGEST_SHARE = 0.25;
   private static final int HALF_TICK = 4;
@@ -17,9 +19,9 @@ final class ScaleBar {
   private ScaleBar() {}
 
   /**
-   * Paints both.
+   * Paints bar and arrow below a plan.
    *
-   * @param area of the plan
+   * @param area the place of the plan
    * @param scale points per metre
    */
   static void paint(Graphics2D graphics, Rectangle2D area, double scale) {
@@ -39,7 +41,7 @@ final class ScaleBar {
     paintNorth(graphics, area.getMaxX() - 10, y);
   }
 
-  /** The longest of 1, 2 and 5 times a power of ten that is no longer than a length. */
+  /** Returns the greatest number not above a limit that is 1, 2 or 5 times a power of ten. */
   private static double roundLength(double longest) {
     double power = Math.pow(10, Math.floor(Math.log10(longest)));
     return longest >= 5 * power ? 5 * power : longest >= 2 * power ? 2 * power : power;

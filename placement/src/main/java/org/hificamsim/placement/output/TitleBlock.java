@@ -3,9 +3,9 @@ package org.hificamsim.placement.output;
 import java.util.Map;
 
 /**
- * What a plan's document says about itself.
+ * The details of a project that the document of a plan shows at its top.
  *
- * @param entries such as the client and the date, in the order in which they are shown
- * @param currency of all prices, such as EUR
+ * @param entries by name, such as the client and the date, in the order in which they are shown
+ * @param currency the currency of all prices, such as EUR
  */
 public record TitleBlock(Map<String, String> entries, String currency) {}

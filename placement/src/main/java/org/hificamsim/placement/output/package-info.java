@@ -1,2 +1,2 @@
-/** Plans as files: tables, pages and pictures; and the check that what they say is true. */
+/** Writes plans as tables, pages and pictures, and checks that what such files say is true. */
 package org.hificamsim.placement.output;

@@ -14,7 +14,12 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
  * @param price in the currency of the catalogue, above 0
  */
 public record CameraKind(String name, OpticsSpec optics, double price) {
-  /** Returns the kinds of some cameras, each at the price of 1. */
+  /**
+   * Returns the kinds of a site's cameras, each at the price of 1.
+   *
+   * @param site the name of the site
+   * @throws InputException if no camera has a lens
+   */
   static List<CameraKind> of(String site, Stream<CameraSpec> cameras) {
     List<CameraKind> kinds =
         cameras
@@ -31,9 +36,10 @@ public record CameraKind(String name, OpticsSpec optics, double price) {
   }
 
   /**
-   * Returns the lens set to an angle of view; as it is if it turns.
+   * Returns the lens, set to an angle of view. A lens that turns stays as it is unless an angle is
+   * given.
    *
-   * @param angle degrees; null for the widest
+   * @param angle degrees; null for the widest, or for a lens that turns as it is
    * @throws InputException if the lens has no such angle
    */
   OpticsSpec setTo(Double angle) {
@@ -42,12 +48,13 @@ public record CameraKind(String name, OpticsSpec optics, double price) {
     if (optics.pans().size() > 1 && angle == null) {
       return optics;
     }
-    double set = angle == null ? widest : angle;
-    if (!(set >= narrowest && set <= widest)) {
+    double newAngle = angle == null ? widest : angle;
+    if (!(newAngle >= narrowest && newAngle <= widest)) {
       throw InputException.of(
-          "angle is %s, expected degrees from %s to %s for '%s'", set, narrowest, widest, name);
+          "angle is %s, expected degrees from %s to %s for '%s'",
+          newAngle, narrowest, widest, name);
     }
-    OpticsSpec lens = optics.with(OpticsSpec.ANGLES_OF_VIEW, List.of(set));
+    OpticsSpec lens = optics.with(OpticsSpec.ANGLES_OF_VIEW, List.of(newAngle));
     return Candidates.atLevel(lens, 0);
   }
 }

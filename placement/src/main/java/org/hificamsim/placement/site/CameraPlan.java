@@ -7,39 +7,42 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Floorplan;
 
-/** Cameras on a site as documents show them: found by a search, or as they are. */
+/**
+ * Cameras on a site, as documents show them. A search has found them, or they are those that the
+ * site has.
+ */
 public interface CameraPlan {
   /** The cameras, those that stay first, and what they cover. */
   PlanCover cover();
 
-  /** How views count. */
+  /** The meaning of covering a point, by which the cover is measured. */
   CoverageReading reading();
 
   /** The number of cameras that stay. */
   int keptCameras();
 
-  /** The new cameras as they are ordered. */
+  /** The new cameras, as products to order. */
   List<Product> products();
 
-  /** The quality of the plan in lines for people, the shares that are met first. */
+  /** Returns lines for people that tell how good the plan is, beginning with what it meets. */
   List<String> facts();
 
-  /** The site with these cameras, and with its floor plan in the folder of the plan. */
+  /** Returns the site with these cameras, and with its floor plan in the folder of the plan. */
   Scenario scenario();
 
   /**
-   * A camera as it is ordered.
+   * A camera that can be ordered.
    *
    * @param price in the currency of its catalogue
    */
   record Product(String name, double price) {}
 
-  /** What the cameras have to cover. */
+  /** The demand that the cameras have to cover. */
   default Demand demand() {
     return cover().demand();
   }
 
-  /** The cameras that stay, then the new ones, as elements of a scenario. */
+  /** The cameras as elements of a scenario: those that stay, then the new ones. */
   default List<CameraSpec> cameras() {
     return cover().cameras();
   }
@@ -50,10 +53,11 @@ public interface CameraPlan {
   }
 
   /**
-   * The first of the facts: how many cameras there are, what they cost, and what they meet.
+   * Returns the first of the facts, which tells how many cameras there are, what they cost, and
+   * what they meet.
    *
-   * @param note on the cameras, after their number
-   * @param price of the new ones
+   * @param note a remark on the cameras, which follows their number; may be empty
+   * @param price the price of the new ones
    */
   default String claim(String note, String price) {
     return Texts.format(

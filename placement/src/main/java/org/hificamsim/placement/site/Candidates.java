@@ -22,13 +22,13 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.placement.cover.CoverInstance;
 
 /**
- * The cameras that could be mounted, with the points of the demand that each covers: every kind at
- * every mount point in every heading and tilt and, by {@code CoverageReading.FIXED}, at every zoom
- * level. Cameras that cover nothing are left out, and those that others on the same mount point
- * make superfluous: for no higher price these cover the same and more.
+ * The cameras that could be mounted, with the points of the demand that each covers. There is one
+ * for every kind at every mount point in every heading and tilt and, by {@code
+ * CoverageReading.FIXED}, at every zoom level. Left out are cameras that cover nothing, and those
+ * that are superfluous since others on the same mount point cover their points for no higher price.
  *
- * @param list in the order of mount points
- * @param covered by candidate, the points that it covers, rising
+ * @param list the candidates, in the order of mount points
+ * @param covered by candidate: the points that it covers, rising
  * @param places the number of mount points from which cameras looked
  */
 public record Candidates(List<Candidate> list, int[][] covered, int places) {
@@ -75,8 +75,9 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
   /**
    * How candidates are found.
    *
-   * @param stop leaves out the mount points that are not yet reached, if a few were
-   * @param finished is told of each mount point whose candidates are known
+   * @param stop whether to leave out the mount points that are not yet reached; a few are reached
+   *     in any case
+   * @param finished is run for each mount point whose candidates are known
    */
   public record Work(int threads, BooleanSupplier stop, Runnable finished) {}
 
@@ -96,10 +97,10 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
             return List.of();
           }
           places.incrementAndGet();
-          List<CoveringCandidate> there =
-              at(options.points.get(number), options.kinds, reading, sight);
+          List<CoveringCandidate> candidates =
+              candidatesAt(options.points.get(number), options.kinds, reading, sight);
           work.finished.run();
-          return undominated(there, needs);
+          return undominated(candidates, needs);
         };
     List<Integer> order = spread(options.points.size());
     List<List<CoveringCandidate>> found = Parallel.map(order, work.threads, look);
@@ -116,8 +117,8 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
   }
 
   /**
-   * The numbers from 0 in an order whose first ones are spread over all, whatever their count: by
-   * the fractional parts of multiples of the golden ratio.
+   * Returns the numbers below a count in an order of which any first part is spread over all of
+   * them: that of the fractional parts of multiples of the golden ratio.
    */
   private static List<Integer> spread(int count) {
     return IntStream.range(0, count)
@@ -126,22 +127,23 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
         .toList();
   }
 
-  private static List<CoveringCandidate> undominated(List<CoveringCandidate> there, int[] needs) {
+  private static List<CoveringCandidate> undominated(
+      List<CoveringCandidate> candidates, int[] needs) {
     CoverInstance instance =
         new CoverInstance(
             new double[needs.length],
             needs,
-            there.stream().map(CoveringCandidate::covered).toArray(int[][]::new),
-            there.stream().mapToDouble(covering -> covering.candidate.kind.price()).toArray());
-    return Arrays.stream(instance.undominatedCandidates()).mapToObj(there::get).toList();
+            candidates.stream().map(CoveringCandidate::covered).toArray(int[][]::new),
+            candidates.stream().mapToDouble(covering -> covering.candidate.kind.price()).toArray());
+    return Arrays.stream(instance.undominatedCandidates()).mapToObj(candidates::get).toList();
   }
 
-  /** By candidate, its price. */
+  /** Returns for each candidate its price. */
   public double[] prices() {
     return list.stream().mapToDouble(candidate -> candidate.kind.price()).toArray();
   }
 
-  private static List<CoveringCandidate> at(
+  private static List<CoveringCandidate> candidatesAt(
       Point point, List<CameraKind> kinds, CoverageReading reading, PointSight sight) {
     List<Candidate> scouts = scouts(point, kinds, reading, sight.demand().site());
     int[][][] seen =
@@ -151,14 +153,14 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
                 .toList());
     return IntStream.range(0, scouts.size())
         .boxed()
-        .flatMap(number -> ofScout(scouts.get(number), reading, seen[number]))
+        .flatMap(number -> candidates(scouts.get(number), reading, seen[number]))
         .filter(candidate -> candidate.covered.length > 0)
         .toList();
   }
 
   /**
-   * Returns a camera of each kind, at each tilt, that can look in every heading: one simulated
-   * world then shows what the candidates of all headings see.
+   * Returns a camera of each kind, at each tilt, that can look in every heading. A single simulated
+   * world with these cameras shows what the candidates of all headings see.
    */
   private static List<Candidate> scouts(
       Point point, List<CameraKind> kinds, CoverageReading reading, Scenario site) {
@@ -186,7 +188,7 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
         .toList();
   }
 
-  /** All angles at which a kind looks, in any heading, rising. */
+  /** Returns all angles at which a lens can look if it is mounted in any heading, rising. */
   private static List<Double> angles(OpticsSpec optics, CoverageReading reading) {
     return reading == CoverageReading.FIXED
         ? headings()
@@ -200,9 +202,9 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
   /**
    * Returns the candidates of a scout's kind, point and tilt.
    *
-   * @param seen by view of the scout, the points that it sees
+   * @param seen by view of the scout: the points that it sees
    */
-  private static Stream<CoveringCandidate> ofScout(
+  private static Stream<CoveringCandidate> candidates(
       Candidate scout, CoverageReading reading, int[][] seen) {
     return reading == CoverageReading.FIXED ? fixed(scout, seen) : turning(scout, seen);
   }
@@ -226,7 +228,9 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
             });
   }
 
-  /** Returns a candidate for each heading, which can pan and zoom; one if it looks all round. */
+  /**
+   * Returns a candidate that can pan and zoom for each heading; a single one if it looks all round.
+   */
   private static Stream<CoveringCandidate> turning(Candidate scout, int[][] seen) {
     OpticsSpec optics = scout.kind.optics();
     List<Double> angles = angles(optics, CoverageReading.ANY);

@@ -1,11 +1,14 @@
 package org.hificamsim.placement.site;
 
-/** The meaning of a camera's covering a point. */
+/** What it means that a camera covers a point. */
 public enum CoverageReading {
-  /** The point is in the fixed view that the camera got when it was mounted. */
+  /** The point is in the view in which the camera is mounted. */
   FIXED("by the fixed view of each camera"),
 
-  /** The point is in any view to which the camera can turn and zoom, though not in all at once. */
+  /**
+   * The point is in any view to which the camera can turn and zoom. The camera has one view at a
+   * time, so it may not see all its points at once.
+   */
   ANY("by some view of a camera that turns: what the network could see");
 
   private final String words;

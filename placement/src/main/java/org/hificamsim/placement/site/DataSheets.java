@@ -15,7 +15,8 @@ import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
 
 /**
- * A table of cameras with the numbers of their data sheets: one row for each product.
+ * Reads a catalogue of cameras: a table with the numbers of their data sheets, one row for each
+ * product.
  *
  * @param withHeights whether the site has heights, so that the shape of pictures matters
  */
@@ -46,11 +47,11 @@ record DataSheets(Path file, boolean withHeights) {
     Optional<String> currency = Optional.empty();
     for (CsvRow row : table.rows()) {
       kinds.add(kind(row, kinds));
-      Optional<String> own = text(row, "currency");
-      if (kinds.size() > 1 && !own.equals(currency)) {
+      Optional<String> rowCurrency = text(row, "currency");
+      if (kinds.size() > 1 && !rowCurrency.equals(currency)) {
         throw row.invalid("currency", "that of all other rows, " + currency.orElse("none"));
       }
-      currency = own;
+      currency = rowCurrency;
     }
     if (kinds.isEmpty()) {
       throw new Place(file.toString(), 1, 1)
@@ -105,7 +106,7 @@ record DataSheets(Path file, boolean withHeights) {
     return Math.abs(aspect / USUAL_ASPECT - 1) < 0.01 ? wide : wide.with(OpticsSpec.ASPECT, aspect);
   }
 
-  /** The angles of view of a lens, narrow to wide, degrees. */
+  /** Returns the angles of view of a lens, from narrow to wide, degrees. */
   private static List<Double> angles(CsvRow row) {
     boolean byAngle = text(row, "hfov").isPresent();
     if (byAngle == text(row, "focal").isPresent()) {

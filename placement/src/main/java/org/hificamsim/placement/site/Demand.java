@@ -23,20 +23,20 @@ import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.cells.ZoneArea;
 
 /**
- * What is to be covered: the centres of the cells of each zone. A cell in two zones counts as two
- * points. (Files and the command line call these points samples.)
+ * The points that cameras have to cover: the centres of the cells of each zone. A cell in two zones
+ * counts as two points. (Files and the command line call these points samples.)
  *
- * @param cells of each zone; empty where nobody asks for them
- * @param points in the order of zones
+ * @param cells by zone: the cells into which it is cut; empty if only points are needed
+ * @param points the points of all zones, in the order of zones
  */
 public record Demand(
     Scenario site, List<FieldCells> cells, List<ZoneDemand> zones, List<DemandPoint> points) {
   /**
    * A zone with what it demands.
    *
-   * @param k number of cameras that every point needs
-   * @param first number of its first point
-   * @param end number after that of its last point
+   * @param k the number of cameras that every point needs
+   * @param first the number of the zone's first point
+   * @param end the number after that of the zone's last point
    */
   public record ZoneDemand(String name, Detection detection, int k, int first, int end) {
     /** The number of points. */
@@ -72,8 +72,9 @@ public record Demand(
     }
 
     /**
-     * Where people will stand is not known: a model that depends on what they hide of each other
-     * sees them whole. If nothing else was asked for, they are seen from its default threshold on.
+     * Returns a detection that does not depend on where people will stand, which nobody knows when
+     * a site is planned. A model that depends on what people hide of each other then sees them
+     * whole. If no rule was chosen, people are seen from the model's default threshold on.
      */
     private static Detection withoutCrowd(Detection detection) {
       DetectionModel model = detection.model();
@@ -90,7 +91,7 @@ public record Demand(
     }
   }
 
-  /** Returns what the plan takes for granted, in sentences. */
+  /** Returns sentences about what the plan takes for granted. */
   public List<String> assumptions() {
     return zones.stream()
         .map(ZoneDemand::detection)
@@ -106,12 +107,12 @@ public record Demand(
   }
 
   /**
-   * Returns the demand of a scenario. A point weighs as much as the area of its cell: 1 if its zone
-   * has the weight 1 and the smallest cells of all zones.
+   * Returns the demand of a scenario. The weight of a point is proportional to the area of its
+   * cell: it is 1 in a zone of weight 1 with the smallest cells of all zones.
    *
-   * @param redundancy number of cameras that each point needs, in place of what the zones say
-   * @param visits number of targets in each cell over time, as weights; empty for equal weights.
-   *     All zones must have the same cells then
+   * @param redundancy the number of cameras that each point needs, in place of what the zones say
+   * @param visits by cell: the number of targets that were in it over time, which is a factor of
+   *     the weight, and for which all zones must have the same cells; empty for equal weights
    * @throws InputException if nothing is to be covered
    */
   public static Demand of(
@@ -159,12 +160,12 @@ public record Demand(
     return cells.width() * cells.height();
   }
 
-  /** The cells of a zone. */
+  /** Returns the cells of a zone. */
   FieldCells cells(ZoneDemand zone) {
     return cells.get(zones.indexOf(zone));
   }
 
-  /** The smallest cells of all zones. */
+  /** Returns the cells of the zone that has the smallest ones. */
   public FieldCells finestCells() {
     return Collections.min(cells, Comparator.comparingDouble(FieldCells::width));
   }
@@ -175,18 +176,22 @@ public record Demand(
   }
 
   /**
-   * By cell of a field, the number of the zone's point in whose cell its centre is; -1 if nothing
-   * is asked for there. If the cells are not the zone's own, a cell beside an obstacle whose point
-   * would be in the obstacle has the next point.
+   * Returns, for each cell of a grid, the number of the zone's point in whose cell the centre of
+   * the grid's cell is; -1 if the zone asks for nothing there. Beside an obstacle, the point of the
+   * zone's cell may be missing since it would be in the obstacle: the nearest point then takes its
+   * place.
+   *
+   * @param grid the cells of the zone, or others of the same field
    */
   public int[] pointsByCell(ZoneDemand zone, FieldCells grid) {
-    FieldCells own = cells(zone);
-    int[] points = new int[own.count()];
+    FieldCells zoneCells = cells(zone);
+    int[] points = new int[zoneCells.count()];
     Arrays.fill(points, -1);
     for (int number = zone.first(); number < zone.end(); number++) {
-      points[own.cellAt(this.points.get(number).x(), this.points.get(number).y())] = number;
+      DemandPoint point = this.points.get(number);
+      points[zoneCells.cellAt(point.x(), point.y())] = number;
     }
-    if (grid.equals(own)) {
+    if (grid.equals(zoneCells)) {
       return points;
     }
     Zone place = place(zone);
@@ -195,12 +200,15 @@ public record Demand(
         pointsOfGrid,
         cell ->
             place.contains(grid.x(cell), grid.y(cell))
-                ? pointNear(grid.x(cell), grid.y(cell), own, points)
+                ? pointNear(grid.x(cell), grid.y(cell), zoneCells, points)
                 : -1);
     return pointsOfGrid;
   }
 
-  /** The point in a cell or, if it has none, the nearest one in the cells around it; else -1. */
+  /**
+   * Returns the point of the cell that contains a place; if it has none, the nearest point of the
+   * cells around it; else -1.
+   */
   private int pointNear(double x, double y, FieldCells cells, int[] pointsByCell) {
     int nearest = pointsByCell[cells.cellAt(x, y)];
     double least = nearest < 0 ? Double.POSITIVE_INFINITY : 0;
@@ -217,7 +225,7 @@ public record Demand(
     return nearest;
   }
 
-  /** Returns the demand for the same points by another detection in all zones. */
+  /** Returns the demand for the same points with another detection in all zones. */
   public Demand with(Detection detection) {
     List<ZoneDemand> changedZones =
         zones.stream()
@@ -226,7 +234,11 @@ public record Demand(
     return new Demand(site, cells, changedZones, points);
   }
 
-  /** Returns a target that stands at a point, and is otherwise like another one. */
+  /**
+   * Returns a target that stands at a point.
+   *
+   * @param model a target from which all other attributes are taken
+   */
   public static TargetSpec targetAt(double x, double y, int number, TargetSpec model) {
     return model
         .with(TargetSpec.FEATURES, (double) number)
@@ -238,7 +250,7 @@ public record Demand(
   }
 
   /**
-   * Whether the demand is for area: all points of a zone have the same weight. Otherwise it is for
+   * Whether all parts of a zone's area are worth the same. Otherwise the weights of points tell
    * where targets are.
    */
   public boolean isForArea() {
@@ -248,12 +260,12 @@ public record Demand(
                 pointsOf(zone).stream().mapToDouble(DemandPoint::weight).distinct().count() <= 1);
   }
 
-  /** The area of a zone, which {@code run} measures in the same way. */
+  /** Returns the area of a zone, by which {@code run} measures in the same way. */
   public ZoneArea area(ZoneDemand zone) {
     return new ZoneArea(site, place(zone).demanding(zone.k()), zone.detection());
   }
 
-  /** The zone of the site. */
+  /** Returns the element of the site that makes a demand. */
   Zone place(ZoneDemand zone) {
     return site.zones().stream()
         .filter(named -> named.name().equals(zone.name()))
@@ -271,12 +283,12 @@ public record Demand(
     return points.subList(zone.first(), zone.end());
   }
 
-  /** By point, the worth of each time that it is covered. */
+  /** Returns for each point the worth of each time that it is covered. */
   public double[] unitWorths() {
     return points.stream().mapToDouble(point -> point.weight() / needs(point)).toArray();
   }
 
-  /** By point, the number of cameras that it needs. */
+  /** Returns for each point the number of cameras that it needs. */
   public int[] needs() {
     return points.stream().mapToInt(this::needs).toArray();
   }
@@ -286,18 +298,20 @@ public record Demand(
   }
 
   /**
-   * The share of a zone's demand that is met; points covered by fewer than k cameras count in part.
+   * Returns the share of a zone's demand that is met. Points that fewer than k cameras cover count
+   * in part.
    *
-   * @param counts by point, the number of cameras that cover it
+   * @param counts by point: the number of cameras that cover it
    */
   public double share(ZoneDemand zone, int[] counts) {
     return share(zone, counts, false);
   }
 
   /**
-   * The share of a zone's demand that is met by points which k cameras or more cover.
+   * Returns the share of a zone's demand that is met if only points count that k cameras or more
+   * cover.
    *
-   * @param counts by point, the number of cameras that cover it
+   * @param counts by point: the number of cameras that cover it
    */
   public double shareByK(ZoneDemand zone, int[] counts) {
     return share(zone, counts, true);

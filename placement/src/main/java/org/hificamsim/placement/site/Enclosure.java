@@ -13,14 +13,14 @@ import org.locationtech.jts.geom.prep.PreparedGeometryFactory;
 import org.locationtech.jts.operation.union.UnaryUnionOp;
 
 /**
- * The inside of a building, with its walls: what a circle as wide as the widest entrance cannot
- * reach from outside.
+ * The inside of a building, with its walls. It consists of the points that a circle as wide as the
+ * widest entrance cannot reach from outside.
  */
 final class Enclosure {
   /** The width of the widest entrance, metres. */
   static final double MAX_ENTRANCE = 6;
 
-  /** How far a corner of a buffer is from the circle that it stands for, and more, metres. */
+  /** A distance above the error of a circle that is drawn as a polygon, metres. */
   private static final double ROUNDING = 0.02;
 
   private static final int CORNERS_OF_QUARTER = 32;
@@ -33,8 +33,8 @@ final class Enclosure {
   }
 
   /**
-   * Returns what walls enclose, if all zones are in it, but for those that are the whole field;
-   * empty without zones.
+   * Returns the inside of the building that walls enclose, if it contains all zones. Zones that are
+   * the whole field do not count; without any others, the result is empty.
    */
   static Optional<Enclosure> of(List<Geometry> walls, List<Zone> zones) {
     List<Zone> drawn = zones.stream().filter(zone -> zone.shape() != Zone.Shape.FIELD).toList();

@@ -4,7 +4,7 @@ import java.util.List;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
 
-/** The cameras of a scenario as they are, however they were planned. */
+/** The cameras of a scenario as they are, whoever planned them. */
 public record EvaluatedPlan(PlanCover cover, CoverageReading reading) implements CameraPlan {
   @Override
   public int keptCameras() {
@@ -30,7 +30,7 @@ public record EvaluatedPlan(PlanCover cover, CoverageReading reading) implements
         "the cameras are measured as they are; no better ones were looked for");
   }
 
-  /** The price of all cameras, with the number of those whose price is not known. */
+  /** Returns the price of all cameras, and the number of those whose price is not known. */
   public String priceText() {
     long unknown = cameras().stream().filter(camera -> camera.price() == 0).count();
     String known = Texts.format("%.2f", price());

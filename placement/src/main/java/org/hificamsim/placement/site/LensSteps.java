@@ -9,7 +9,8 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.data.CsvRow;
 
 /**
- * The settings of a lens: its only one, steps, or the ends of a range that is tried in steps.
+ * The settings of a lens: a single one, some steps, or the ends of a range, of which a plan tries a
+ * few settings.
  *
  * @param values angles of view in degrees, or focal lengths in millimetres
  */
@@ -18,7 +19,7 @@ record LensSteps(List<Double> values, boolean isRange) {
   private static final int STEPS = 4;
 
   /**
-   * Reads a cell, as {@code 95}, {@code 33-105} or {@code 30 60 90}.
+   * Reads a cell of a table such as {@code 95}, {@code 33-105} or {@code 30 60 90}.
    *
    * @param unit for the message about a wrong cell
    */
@@ -47,7 +48,7 @@ record LensSteps(List<Double> values, boolean isRange) {
     return new LensSteps(angles, isRange);
   }
 
-  /** All settings that are tried, rising, to a tenth of a degree. */
+  /** Returns all angles of view that are tried, rising, rounded to a tenth of a degree. */
   List<Double> angles() {
     double narrowest = values.get(0);
     double widest = values.get(values.size() - 1);

@@ -17,9 +17,12 @@ import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.operation.distance.IndexedFacetDistance;
 
-/** The obstacles of a site that are there at the height of its cameras, and the field's border. */
+/**
+ * The obstacles that matter to mounting cameras: those that a site has at the height of its
+ * cameras, and the border of the field.
+ */
 final class MountObstacles {
-  /** More than the error of a point that is rounded to centimetres, metres. */
+  /** A distance above the error of points that are rounded to centimetres, metres. */
   private static final double ROUNDING = 0.008;
 
   private static final GeometryFactory GEOMETRY = new GeometryFactory();
@@ -33,7 +36,7 @@ final class MountObstacles {
     OptionalDouble height = Mounting.heightOn(site);
     list =
         site.obstacles().stream()
-            .filter(obstacle -> height.isEmpty() || isAt(obstacle, height.getAsDouble()))
+            .filter(obstacle -> height.isEmpty() || reaches(obstacle, height.getAsDouble()))
             .toList();
     cutAtHeight = new Obstacles(list.stream().map(Obstacle::flat).toList());
     shapes = list.stream().map(MountObstacles::shape).toList();
@@ -44,7 +47,7 @@ final class MountObstacles {
                     .toArray(Geometry[]::new)));
   }
 
-  private static boolean isAt(Obstacle obstacle, double height) {
+  private static boolean reaches(Obstacle obstacle, double height) {
     return obstacle.base() <= height && obstacle.height() >= height;
   }
 
@@ -77,7 +80,7 @@ final class MountObstacles {
     return new Coordinate(point.x(), point.y());
   }
 
-  /** The building whose walls these are, if all zones are inside one. */
+  /** Returns the building that the obstacles enclose, if all zones are inside it. */
   Optional<Enclosure> enclosure(List<Zone> zones) {
     return Enclosure.of(shapes, zones);
   }
@@ -88,7 +91,10 @@ final class MountObstacles {
   }
 
   /**
-   * Whether a camera at a point, rounded to centimetres, is in no obstacle and far enough from all.
+   * Whether a point is in no obstacle and far enough from all of them to mount a camera there.
+   *
+   * @param point with coordinates that are rounded to centimetres
+   * @param clearance the least distance from obstacles and border, metres
    */
   boolean isFree(Point point, double clearance) {
     return cutAtHeight.containing(point.x(), point.y()).isEmpty()

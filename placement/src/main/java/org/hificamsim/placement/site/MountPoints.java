@@ -17,10 +17,11 @@ import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 
 /**
- * The points where cameras can be mounted: along both sides of walls, around polygons and pillars,
- * along the border of the field, on the ceiling, or at listed points. On a site with heights, only
- * obstacles count that are there at the height of its cameras. No camera hangs in a door or another
- * narrow gap. Where all zones are inside a building, no camera hangs outside or on the border.
+ * Finds the points where cameras can be mounted: along both sides of walls, around polygons and
+ * pillars, along the border of the field, on the ceiling, or at listed points. On a site with
+ * heights, only obstacles count that are there at the height of its cameras. No camera hangs in a
+ * door or another narrow gap. If all zones are inside a building, no camera hangs outside or on the
+ * border.
  */
 public final class MountPoints {
   /** The usual distance of a camera from what it is mounted on, metres. */
@@ -35,11 +36,11 @@ public final class MountPoints {
   private static final double MAX_THICKNESS = 0.6;
 
   /**
-   * How cameras are mounted.
+   * Rules by which cameras are mounted.
    *
-   * @param spacing metres from one point to the next, above 0
-   * @param clearance distance of a camera from what it is mounted on, and the least one from
-   *     everything else, metres, above 0
+   * @param spacing the distance from one point to the next, metres, above 0
+   * @param clearance the distance of a camera from the surface that it is mounted on, and the least
+   *     one from everything else, metres, above 0
    * @param ceiling whether to add a grid of points all over the field
    * @param forbidden zones in which no camera may be
    */
@@ -85,7 +86,7 @@ public final class MountPoints {
         mounts.add(x, y);
       }
     }
-    return mounts.nonEmpty(
+    return mounts.requireAny(
         setting("candidates")
             + " closer together, or fewer zones that "
             + setting("forbid")
@@ -116,17 +117,17 @@ public final class MountPoints {
         throw row.invalid("x", "a place in the field, off obstacles and forbidden zones");
       }
     }
-    return mounts.nonEmpty("a place in " + file);
+    return mounts.requireAny("a place in " + file);
   }
 
-  private List<Point> nonEmpty(String expected) {
+  private List<Point> requireAny(String expected) {
     if (points.isEmpty()) {
       throw new InputException("no camera can be mounted anywhere, expected " + expected);
     }
     return List.copyOf(points);
   }
 
-  /** The width of a gap between two obstacles, metres, in which there is no room for a camera. */
+  /** Returns the width of a gap between two obstacles that has no room for a camera, metres. */
   private double slot() {
     return 3 * rules.clearance;
   }

@@ -6,7 +6,7 @@ import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
 
 /**
- * Where a camera is mounted, and where it looks.
+ * The place where a camera is mounted, and the direction in which it looks.
  *
  * @param z metres; empty in a flat world, and if the site gives the height of all cameras
  * @param tilt degrees below the horizon
@@ -30,22 +30,22 @@ public record Mounting(Point position, Optional<Double> z, double tilt, double h
         : heightOn(site).stream().boxed().findFirst();
   }
 
-  /** Returns the mount with a heading that is turned by an angle, degrees. */
+  /** Returns the mounting, turned clockwise by an angle in degrees. */
   Mounting turnedBy(double degrees) {
     return new Mounting(position, z, tilt, sum(heading, degrees));
   }
 
-  /** Returns the mount at another tilt, degrees. */
+  /** Returns the mounting with another tilt, degrees. */
   Mounting tiltedTo(double newTilt) {
     return new Mounting(position, z, newTilt, heading);
   }
 
-  /** Returns the mount at another position. */
+  /** Returns the mounting at another position. */
   Mounting movedTo(Point newPosition) {
     return new Mounting(newPosition, z, tilt, heading);
   }
 
-  /** The sum of two angles, degrees from -180, rounded to millionths. */
+  /** Returns the sum of two angles, in degrees from -180 to 180, rounded to millionths. */
   static double sum(double heading, double pan) {
     double angle = (heading + pan + 540) % 360 - 180;
     return Math.rint(angle * 1e6) / 1e6;

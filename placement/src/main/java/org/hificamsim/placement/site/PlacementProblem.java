@@ -24,10 +24,11 @@ import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.placement.site.SitePlan.Shares;
 
 /**
- * Where to put cameras on a site, as a covering problem.
+ * The problem of where to mount cameras on a site, as a covering problem.
  *
- * @param instance the whole demand, as if no camera were kept; {@link #remaining} is searched
- * @param keptCounts by point, the number of kept cameras that cover it
+ * @param instance the covering problem of the whole demand, as if no camera were kept; the one that
+ *     is searched is {@link #remaining}
+ * @param keptCounts by point: the number of kept cameras that cover it
  */
 public record PlacementProblem(
     Request request,
@@ -37,11 +38,11 @@ public record PlacementProblem(
     int[] keptCounts) {
 
   /**
-   * What is asked for.
+   * What a plan is asked for.
    *
    * @param options what can be mounted where
-   * @param kept cameras that stay
-   * @param goal of the new cameras
+   * @param kept the cameras that stay
+   * @param goal the goal of the new cameras
    */
   public record Request(
       Demand demand,
@@ -60,7 +61,7 @@ public record PlacementProblem(
   /** Is told how the search for a plan goes on. */
   @FunctionalInterface
   public interface Watcher extends CoverSearch.Watcher {
-    /** Receives the next part of the work, as "searches" with its object. */
+    /** Receives the next part of the work, such as "measures what the plan meets". */
     default void begins(String part) {}
   }
 
@@ -185,13 +186,14 @@ public record PlacementProblem(
     return request.goal.goal;
   }
 
-  /** The price as the goal counts it: 1 if the goal is a number of cameras. */
+  /** Returns a price as the goal counts it: 1 if the goal is a number of cameras. */
   double countedPrice(double price) {
     return request.goal.byNumber ? 1 : price;
   }
 
   /**
-   * The cover that remains for new cameras; for full cover, as far as the candidates can give it.
+   * Returns the covering problem that remains for new cameras; for full cover, it is limited to
+   * what the candidates can cover.
    */
   public CoverInstance remaining() {
     CoverInstance remaining = instance.remaining(keptCounts);
@@ -210,9 +212,9 @@ public record PlacementProblem(
   /**
    * Returns bounds on the shares that candidates can meet for some prices.
    *
-   * @param searched the candidates that are not dominated
-   * @param prices rising
-   * @param shares that are met for these prices, rising
+   * @param searched the problem of the candidates that are not dominated
+   * @param prices some prices, rising
+   * @param shares the shares that are met for these prices, rising
    */
   double[] shareBounds(CoverPlan plan, CoverInstance searched, double[] prices, double[] shares) {
     double[] worths =
@@ -227,8 +229,8 @@ public record PlacementProblem(
   }
 
   /**
-   * Searches for a plan, whose cameras may then be refined. Bounds are on plans of candidates; a
-   * refined plan may exceed them.
+   * Searches for a plan, and then refines its cameras if that is wanted. Bounds hold for plans of
+   * candidates; a refined plan may exceed them.
    */
   public SitePlan solve(Effort effort, Watcher watcher, Optional<Refinement> refinement) {
     CoverInstance remaining = remaining();
@@ -268,11 +270,11 @@ public record PlacementProblem(
         new CoverInstance(
             remaining.unitWorths(), remaining.needs(), remaining.covered(), candidates.prices());
     double maxCameras = request.goal.byNumber ? goal().budget() : Double.POSITIVE_INFINITY;
-    int[] chosen = CheaperPlan.of(priced, found.chosen(), maxCameras, effort);
+    int[] chosen = CheaperPlan.find(priced, found.chosen(), maxCameras, effort);
     return found.replacedBy(chosen, remaining.worth(remaining.counts(chosen)));
   }
 
-  /** The share that the present cameras of the site meet: of the area, or of demand points. */
+  /** Returns the share that the present cameras of the site meet: of its area, or of points. */
   private double shareOfSite() {
     List<CameraSpec> cameras = demand().site().cameras();
     return demand().isForArea()
@@ -303,7 +305,7 @@ public record PlacementProblem(
     return (keptWorth() + worth) / instance.totalWorth();
   }
 
-  /** A score as it is shown: a share of the demand; for full cover, a price. */
+  /** Returns a score as it is shown: as a share of the demand; for full cover, as a price. */
   private double shownScore(double score) {
     return goal().isFullCover() ? score : (keptWorth() + score) / instance.totalWorth();
   }

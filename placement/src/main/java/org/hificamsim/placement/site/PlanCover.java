@@ -11,7 +11,7 @@ import org.hificamsim.runs.cells.FieldCells;
 /**
  * What cameras cover of a demand.
  *
- * @param covered by camera, the points that it covers, rising
+ * @param covered by camera: the points that it covers, rising
  * @param area what the cameras see of each zone's area
  */
 public record PlanCover(Demand demand, List<CameraSpec> cameras, int[][] covered, PlanArea area) {
@@ -39,7 +39,7 @@ public record PlanCover(Demand demand, List<CameraSpec> cameras, int[][] covered
         PlanArea.of(demand, sight, cameras, reading, measured));
   }
 
-  /** By point, the number of cameras that cover it. */
+  /** Returns for each point the number of cameras that cover it. */
   public int[] counts() {
     return countsWithout(-1);
   }

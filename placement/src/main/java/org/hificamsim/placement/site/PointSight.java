@@ -19,24 +19,25 @@ import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Occlusion;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Zone;
+import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.cells.UsualTarget;
 
 /**
- * The points of the demand that cameras see in each of their views. It simulates a world in which a
- * target stands at each point, so that lenses, walls, and all else on which sight depends, work as
- * in {@code run}. May be used by several threads.
+ * Finds which points of a demand cameras see in each of their views. It simulates a world in which
+ * a target stands at each point, so that lenses, walls, and all else on which sight depends work as
+ * in {@code run}. Several threads may use it at once.
  */
 public final class PointSight {
   private final Demand demand;
   private final Catalogue catalogue;
   private final TargetSpec usual;
 
-  /** By zone: the site with a target at each point. */
+  /** By zone: the site with a target at each point of the zone. */
   private final List<Scenario> scenarios = new ArrayList<>();
 
   /**
-   * @param demand whose points are to be seen
+   * @param demand the points that are to be seen
    */
   public PointSight(Demand demand, Catalogue catalogue) {
     this.demand = demand;
@@ -59,7 +60,9 @@ public final class PointSight {
     }
   }
 
-  /** The usual target, of which cameras must see what the zone asks for. */
+  /**
+   * Returns the usual target, changed so that cameras must see those parts that the zone asks for.
+   */
   private TargetSpec targetIn(Zone zone) {
     return zone.seen()
         .filter(seen -> demand.site().hasHeights())
@@ -67,7 +70,7 @@ public final class PointSight {
         .orElse(usual);
   }
 
-  /** What is to be seen. */
+  /** The demand whose points are to be seen. */
   Demand demand() {
     return demand;
   }
@@ -113,7 +116,8 @@ public final class PointSight {
                 catalogue.policies().create("fixed"),
                 0,
                 List.of());
-        simulation.phases().runUntil(StepPhase.DECIDE); // targets are located, no camera has moved
+        // targets are located then, and no camera has moved yet
+        simulation.phases().runUntil(StepPhase.DECIDE);
         OracleView oracle = simulation.network();
         for (int camera = 0; camera < seen.length; camera++) {
           addSeen(oracle, camera, zone, seen);
@@ -143,7 +147,7 @@ public final class PointSight {
     }
   }
 
-  /** Whether a camera in its present view sees a face at a point as the point's zone asks. */
+  /** Whether a camera in its present view sees a face at a point in the way that its zone asks. */
   public boolean showsFace(NetworkView network, int camera, Demand.ZoneDemand zone, int point) {
     double z = network.zoom(camera, network.seeing(camera)).vertical().z();
     return shows(demand.place(zone), network, camera, z, point);
@@ -159,12 +163,12 @@ public final class PointSight {
   /** Returns, by camera, the points that the camera covers according to a reading, rising. */
   public int[][] covered(List<CameraSpec> cameras, CoverageReading reading) {
     int[][][] seen = seenByView(cameras);
-    World world = world(demand.zones().get(0), cameras); // for the views in which cameras start
+    Cameras mounted = world(demand.zones().get(0), cameras).cameras();
     int[][] covered = new int[seen.length][];
     for (int camera = 0; camera < seen.length; camera++) {
       covered[camera] =
           reading == CoverageReading.FIXED
-              ? seen[camera][world.cameras().view(camera)]
+              ? seen[camera][mounted.view(camera)]
               : union(Arrays.stream(seen[camera]));
     }
     return covered;

@@ -9,18 +9,18 @@ import org.hificamsim.core.file.Io;
 import org.hificamsim.core.scenario.Scenario;
 
 /**
- * The cameras that can be bought.
+ * A list of the cameras that can be bought.
  *
- * @param currency of their prices
+ * @param currency the currency of their prices
  */
 public record PriceList(List<CameraKind> kinds, String currency) {
-  /** The name of the built-in list: generic lenses, with approximate prices of 2025. */
+  /** The name of the built-in list, which has generic lenses at approximate prices of 2025. */
   public static final String GENERIC = "generic";
 
-  /** The name of the list of all kinds that the scenario has, each at the price of 1. */
+  /** The name of the list that has all kinds of cameras of the scenario, each at the price of 1. */
   public static final String SITE = "site";
 
-  /** The currency of lists that name none. */
+  /** The currency of lists that do not tell theirs. */
   public static final String USUAL_CURRENCY = "EUR";
 
   /**
@@ -41,7 +41,7 @@ public record PriceList(List<CameraKind> kinds, String currency) {
     return Generic.LIST;
   }
 
-  /** Keeps the built-in list, which is read when it is first asked for. */
+  /** Holds the built-in list, so that it is read when it is first needed. */
   private static final class Generic {
     private static final PriceList LIST = Io.get(Generic::read);
 

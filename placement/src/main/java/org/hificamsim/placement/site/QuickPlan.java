@@ -15,7 +15,7 @@ import org.hificamsim.placement.cover.Goal;
 import org.hificamsim.presentation.view.Planner;
 
 /**
- * A plan of fixed views for somebody who waits for it.
+ * Searches in a short time for a plan of cameras with fixed views, while somebody waits for it.
  *
  * @param points where cameras can be mounted
  */
@@ -40,23 +40,23 @@ record QuickPlan(Catalogue catalogue, Demand demand, List<Point> points, Planner
    */
   Planner.Plan find(List<CameraKind> kinds, Planner.Watcher watcher) {
     Scenario site = demand.site();
-    PlacementProblem.Request asked =
+    PlacementProblem.Request problemRequest =
         new PlacementProblem.Request(
             demand,
             new Candidates.Options(points, kinds),
             CoverageReading.FIXED,
             request.keep() ? site.cameras() : List.of(),
             new PlacementProblem.SiteGoal(goal(), request.goal() == Planner.Goal.CAMERAS));
-    AtomicInteger looked = new AtomicInteger();
+    AtomicInteger places = new AtomicInteger();
     int threads = Runtime.getRuntime().availableProcessors();
     PlacementProblem problem =
         PlacementProblem.of(
-            asked,
+            problemRequest,
             catalogue,
             new Candidates.Work(
                 threads,
                 isOver(MAX_LOOKING_SECONDS),
-                () -> lookedFrom(looked.incrementAndGet(), watcher)));
+                () -> reportPlaces(places.incrementAndGet(), watcher)));
     BooleanSupplier searched = isOver(MAX_SEARCH_SECONDS);
     Effort effort =
         Effort.searchOnly(0, ROUNDS, () -> watcher.isStopped() || searched.getAsBoolean());
@@ -66,7 +66,7 @@ record QuickPlan(Catalogue catalogue, Demand demand, List<Point> points, Planner
     return new Planner.Plan(plan.cameras(), facts.get(0), facts.subList(1, facts.size()));
   }
 
-  /** Returns whether seconds have passed since the call. */
+  /** Returns a condition that becomes true when some seconds have passed. */
   private static BooleanSupplier isOver(double seconds) {
     long end = System.nanoTime() + (long) (seconds * 1e9);
     return () -> System.nanoTime() > end;
@@ -80,7 +80,7 @@ record QuickPlan(Catalogue catalogue, Demand demand, List<Point> points, Planner
     };
   }
 
-  private void lookedFrom(int places, Planner.Watcher watcher) {
+  private void reportPlaces(int places, Planner.Watcher watcher) {
     if (watcher.isStopped()) {
       throw new InputException("stopped before there was a plan");
     }

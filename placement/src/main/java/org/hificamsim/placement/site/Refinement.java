@@ -18,15 +18,16 @@ import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.placement.site.Candidates.Candidate;
 
 /**
- * Moves chosen cameras to headings, tilts and points between those of the candidates, in ever
- * smaller steps (pattern search), as long as more of the demand is met. Lenses, heights and prices
- * stay.
+ * Improves a plan by moving its cameras to headings, tilts and points between those of the
+ * candidates. It moves them in ever smaller steps (pattern search), as long as more of the demand
+ * is met. Lenses, heights and prices stay.
  *
- * @param pointsByStep where cameras can be mounted: a list for each step, each closer together
+ * @param pointsByStep for each step, the points where cameras can be mounted, which are closer
+ *     together than those of the step before
  * @param stop ends the refinement early
  */
 public record Refinement(List<List<Point>> pointsByStep, int threads, BooleanSupplier stop) {
-  /** The number of points to try in a step: the nearest ones, on both sides of a wall. */
+  /** The number of points to which a camera may move: the nearest ones, on both sides of a wall. */
   private static final int NEAREST_POINTS = 6;
 
   /** The least gain of a move, as a share of the whole demand. */
@@ -34,7 +35,7 @@ public record Refinement(List<List<Point>> pointsByStep, int threads, BooleanSup
 
   private record CoveringCamera(Candidate candidate, int[] covered) {}
 
-  /** Returns the same cameras, moved. */
+  /** Returns the chosen cameras at the mountings to which they are moved. */
   List<Candidate> refine(PlacementProblem problem, List<Candidate> chosen) {
     int[] counts = problem.keptCounts().clone();
     List<CoveringCamera> cameras = withCoverage(problem, chosen);
@@ -58,7 +59,10 @@ public record Refinement(List<List<Point>> pointsByStep, int threads, BooleanSup
     return cameras.stream().map(CoveringCamera::candidate).toList();
   }
 
-  /** Makes each camera's best move, given the moves made before it; returns whether any moved. */
+  /**
+   * Makes the best move of one camera after the other, each of which takes the moves before it into
+   * account; returns whether any camera moved.
+   */
   private static boolean moveAll(
       PlacementProblem problem,
       int[] counts,
@@ -90,7 +94,7 @@ public record Refinement(List<List<Point>> pointsByStep, int threads, BooleanSup
         .collect(Collectors.toCollection(ArrayList::new));
   }
 
-  /** Returns the candidates that differ from one by a single step: turned, tilted or moved. */
+  /** Returns the candidates to which one can be turned, tilted or moved in a single step. */
   private static List<Candidate> moves(
       PlacementProblem problem, Candidate candidate, double turn, List<Point> points) {
     Mounting mount = candidate.mount();

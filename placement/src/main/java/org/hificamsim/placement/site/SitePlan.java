@@ -17,12 +17,12 @@ import org.hificamsim.placement.site.Demand.DemandPoint;
 import org.hificamsim.runs.cells.UsualTarget;
 
 /**
- * Cameras for a site, and how good they are.
+ * A plan that a search has found for a site, and how good it is.
  *
- * @param searched what new cameras have to cover, and the candidates that others do not make
- *     superfluous
- * @param cover what the cameras that stay, then the new ones, cover
- * @param coverPlan what the search found: candidates of {@code problem}, before any refinement
+ * @param searched the covering problem that was searched: what new cameras have to cover, and the
+ *     candidates that others do not make superfluous
+ * @param cover what the cameras cover: those that stay, then the new ones
+ * @param coverPlan the candidates of {@code problem} that the search chose, before any refinement
  */
 public record SitePlan(
     PlacementProblem problem,
@@ -31,15 +31,15 @@ public record SitePlan(
     CoverPlan coverPlan,
     Shares shares)
     implements CameraPlan {
-  /** A smaller gap is 0 as it is shown. */
+  /** The least gap that does not show as 0. */
   private static final double LEAST_SHOWN_GAP = 0.00005;
 
   /**
    * Shares of the demand, in [0, 1].
    *
-   * @param unrefined what {@code coverPlan} meets, if its cameras were refined
-   * @param bound no plan of the same candidates meets more
-   * @param ofSite what the cameras of the site meet as it is
+   * @param unrefined the share that {@code coverPlan} meets, if its cameras were refined
+   * @param bound the share that no plan of the same candidates exceeds
+   * @param ofSite the share that the cameras of the site meet as it is
    */
   public record Shares(Optional<Double> unrefined, double bound, double ofSite) {}
 
@@ -125,7 +125,7 @@ public record SitePlan(
     return kept == 0 ? "" : Texts.format(", %d of them kept (in all %.2f)", kept, cover.price());
   }
 
-  /** How far the plan is from its bound; nothing if it reaches it. */
+  /** Returns words on the distance of the plan from its bound; empty if it reaches the bound. */
   private static String gapFact(double gap) {
     return gap < LEAST_SHOWN_GAP ? "" : Texts.format(": a gap of %.2f %%", 100 * gap);
   }
@@ -143,14 +143,17 @@ public record SitePlan(
   /**
    * A point of the curve of coverage.
    *
-   * @param cameras number of new cameras
-   * @param price of these cameras, as the goal counts it
-   * @param share of the demand that they meet
-   * @param bound no cameras at this price meet a greater share
+   * @param cameras the number of new cameras
+   * @param price the price of these cameras, as the goal counts it
+   * @param share the share of the demand that they meet
+   * @param bound the share that no cameras at this price exceed
    */
   public record CurvePoint(int cameras, double price, double share, double bound) {}
 
-  /** The share of the demand over the number of new cameras; those that add most come first. */
+  /**
+   * Returns the share of the demand that is met for each number of new cameras, of which those that
+   * add most come first.
+   */
   public List<CurvePoint> curve() {
     int kept = keptCameras();
     int[] counts = problem.keptCounts().clone();
@@ -202,7 +205,7 @@ public record SitePlan(
     return problem.instance().worth(countsWith);
   }
 
-  /** The site with these cameras, and without the events of its old ones. */
+  /** Returns the site with these cameras, and without the events of its old ones. */
   @Override
   public Scenario scenario() {
     Scenario site = demand().site();

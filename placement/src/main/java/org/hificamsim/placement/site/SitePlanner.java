@@ -22,8 +22,8 @@ import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.cells.ZoneArea;
 
 /**
- * Plans cameras while a site is edited, with coarse cells and mount points. A point is covered if
- * it is in any view of a camera that turns.
+ * Plans cameras while a site is edited. To be fast, it uses large cells and few mount points. A
+ * point is covered if it is in any view of a camera that turns.
  *
  * @param detections finds the detection that a zone names
  * @param prices the cameras that can be bought
@@ -31,7 +31,7 @@ import org.hificamsim.runs.cells.ZoneArea;
 public record SitePlanner(
     Catalogue catalogue, Function<String, Detection> detections, PriceList prices)
     implements Planner {
-  /** The number of mount points, and the least one of cells, along the field's longer side. */
+  /** The number of mount points, and the least number of cells, along the field's longer side. */
   private static final int PARTS = 30;
 
   private static final Sampling SAMPLING = new Sampling(PARTS, FieldCells.MAX);
@@ -106,7 +106,10 @@ public record SitePlanner(
     return moved.isPresent() ? onMount(moved.get(), best) : best.camera("suggested");
   }
 
-  /** Returns the kind of the moved camera, or those of the site; else all that can be bought. */
+  /**
+   * Returns the kind of the moved camera or, for a new one, those of the site's cameras; on a site
+   * without cameras, all kinds that can be bought.
+   */
   private List<CameraKind> kinds(Scenario site, Optional<CameraSpec> moved) {
     return moved.isEmpty() && site.everyCamera().findAny().isEmpty()
         ? prices.kinds()
@@ -119,12 +122,12 @@ public record SitePlanner(
   }
 
   @Override
-  public CameraSpec mounted(Mount asked, Scenario site) {
-    CameraKind kind = prices.kind(asked.kind());
+  public CameraSpec mounted(Mount request, Scenario site) {
+    CameraKind kind = prices.kind(request.kind());
     double tilt = site.hasHeights() ? USUAL_TILT : 0;
-    Point position = new Point(asked.x(), asked.y());
-    Mounting mount = new Mounting(position, Mounting.newHeightOn(site), tilt, asked.heading());
-    return new Candidate(kind, kind.setTo(asked.angle()), mount)
+    Point position = new Point(request.x(), request.y());
+    Mounting mount = new Mounting(position, Mounting.newHeightOn(site), tilt, request.heading());
+    return new Candidate(kind, kind.setTo(request.angle()), mount)
         .camera(kind.name())
         .with(CameraSpec.PRICE, kind.price());
   }

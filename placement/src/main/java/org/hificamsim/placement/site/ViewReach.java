@@ -10,16 +10,17 @@ import org.hificamsim.placement.site.Demand.DemandPoint;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
 
 /**
- * From where to where people are seen in the middle of a camera's view, if nothing is in the way.
+ * The distances at which people are seen in the middle of a camera's view, if nothing is in the
+ * way.
  *
- * @param near metres from the camera
- * @param far metres from the camera; 0 if nobody is seen
+ * @param near the least distance, metres
+ * @param far the greatest distance, metres; 0 if nobody is seen
  */
 public record ViewReach(double near, double far) {
   private static final int SAMPLES = 400;
 
   /**
-   * The middle of a view.
+   * A line through the middle of a view, which begins at the camera.
    *
    * @param heading radians, 0 is +y and pi/2 is +x
    * @param length metres
@@ -35,7 +36,7 @@ public record ViewReach(double near, double far) {
       return (number + 1) * length / SAMPLES;
     }
 
-    /** Measures it by people who stand on the axis. */
+    /** Returns the distances at which people who stand on this line are detected. */
     public ViewReach reach(Demand demand, Detection detection, Catalogue catalogue) {
       Scenario empty =
           demand.site().with(Scenario.OBSTACLES, List.of()).with(Scenario.ZONES, List.of());

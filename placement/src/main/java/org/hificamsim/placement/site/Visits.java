@@ -6,7 +6,8 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.runs.cells.FieldCells;
 
 /**
- * Counts where targets are over a run, recorded or simulated, so that demand is where people go.
+ * Counts how often targets are in each cell during a run, recorded or simulated, so that a plan can
+ * cover the places where people go.
  */
 public final class Visits {
   /** The number of steps if the scenario does not give one. */
@@ -14,7 +15,7 @@ public final class Visits {
 
   private Visits() {}
 
-  /** Returns, by cell, the number of targets in it, summed over the scenario's steps. */
+  /** Returns for each cell the number of targets in it, summed over the scenario's steps. */
   public static double[] of(Scenario site, FieldCells cells, Catalogue catalogue) {
     double[] visits = new double[cells.count()];
     World world = new World(site, catalogue.movements(), 0);

@@ -1,5 +1,5 @@
 /**
- * A site as a covering problem: what is demanded, where cameras can be, and what they see.
+ * Makes a covering problem of a site: what is demanded, where cameras can be, and what they see.
  *
  * <p>A plan is made in this order: {@link org.hificamsim.placement.site.Demand}, {@link
  * org.hificamsim.placement.site.MountPoints}, {@link

@@ -8,13 +8,13 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Compares cheaper plans with all plans of small random instances. */
+/** Compares cheaper plans with the plans that they replace. */
 class CheaperPlanTest {
   private static final int CASES = 200;
   private static final Effort EFFORT = Effort.searchOnly(1, 30, () -> false);
 
   private static int[] cheaper(CoverInstance instance, int[] plan) {
-    return CheaperPlan.of(instance, plan, Double.POSITIVE_INFINITY, EFFORT);
+    return CheaperPlan.find(instance, plan, Double.POSITIVE_INFINITY, EFFORT);
   }
 
   private static int[] solve(CoverInstance instance, Goal goal) {
@@ -22,7 +22,7 @@ class CheaperPlanTest {
   }
 
   @Test
-  void coversAsMuchAndCostsNoMore() {
+  void cheaperPlanCoversAsMuchAndCostsNoMore() {
     SplittableRandom random = new SplittableRandom(11);
     int cheaperPlans = 0;
     for (int i = 0; i < CASES; i++) {
@@ -39,7 +39,7 @@ class CheaperPlanTest {
   }
 
   @Test
-  void budgetIsNeverDearerThanFullCover() {
+  void planForLargeBudgetCostsNoMoreThanFullCover() {
     SplittableRandom random = new SplittableRandom(12);
     for (int i = 0; i < CASES; i++) {
       CoverInstance instance = SmallInstances.random(random, 12, 9, false).coverable();
@@ -56,7 +56,7 @@ class CheaperPlanTest {
     int[][] covered = {{0, 1}, {0}, {1}};
     CoverInstance instance = CoverInstance.of(2, covered, new double[] {9, 1, 1});
     int[] plan = {0};
-    assertArrayEquals(plan, CheaperPlan.of(instance, plan, 1, EFFORT));
-    assertArrayEquals(new int[] {1, 2}, CheaperPlan.of(instance, plan, 2, EFFORT));
+    assertArrayEquals(plan, CheaperPlan.find(instance, plan, 1, EFFORT));
+    assertArrayEquals(new int[] {1, 2}, CheaperPlan.find(instance, plan, 2, EFFORT));
   }
 }

@@ -44,7 +44,7 @@ class CoverSearchTest {
   }
 
   @Test
-  void givesTheSamePlanForTheSameSeed() {
+  void searchOfSameSeedFindsSamePlan() {
     CoverInstance instance = SmallInstances.random(new SplittableRandom(3), 200, 150, false);
     CoverPlan plan = solve(instance, new Goal(12));
     assertArrayEquals(plan.chosen(), solve(instance, new Goal(12)).chosen());
@@ -52,7 +52,7 @@ class CoverSearchTest {
   }
 
   @Test
-  void leavesOutCandidatesThatEnoughOthersDominate() {
+  void candidateIsDominatedByAsManyOthersAsPointsNeed() {
     int[][] covered = {{0, 1}, {0}, {0, 1}, {}, {1, 2}};
     CoverInstance once = CoverInstance.of(3, covered, new double[] {1, 1, 1, 1, 1});
     assertArrayEquals(new int[] {0, 4}, Dominance.undominated(once));
@@ -62,7 +62,7 @@ class CoverSearchTest {
   }
 
   @Test
-  void hasAPlanWhenStoppedAtOnce() {
+  void searchThatIsStoppedAtOnceHasAPlan() {
     CoverInstance instance =
         SmallInstances.random(new SplittableRandom(5), 50, 40, true).coverable();
     CoverPlan plan =

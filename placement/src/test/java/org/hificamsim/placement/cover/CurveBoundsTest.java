@@ -7,14 +7,14 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Compares the bounds of prices with all plans of small random instances. */
+/** Compares the bounds for some prices with all plans of small random instances. */
 class CurveBoundsTest {
   private static final int CASES = 200;
   private static final double[] PRICES = {1, 2, 3, 5, 8};
   private static final double MARGIN = 1e-6;
 
   @Test
-  void noPlanPassesBoundOfItsPrice() {
+  void noPlanIsWorthMoreThanBoundForItsPrice() {
     SplittableRandom random = new SplittableRandom(21);
     double sumOfGaps = 0;
     for (int i = 0; i < CASES; i++) {

@@ -19,7 +19,7 @@ class EnumerationTest {
   }
 
   @Test
-  void provesTheBestOfAllPlansFromAnyStart() {
+  void bestOfAllPlansIsProvenFromAnyStart() {
     SplittableRandom random = new SplittableRandom(21);
     for (int i = 0; i < CASES; i++) {
       CoverInstance instance = SmallInstances.random(random, 14, 10, true);
@@ -35,7 +35,7 @@ class EnumerationTest {
   }
 
   @Test
-  void provesTheBestFourOfForty() {
+  void bestFourOfFortyCamerasAreProven() {
     SplittableRandom random = new SplittableRandom(4);
     CoverInstance instance = SmallInstances.random(random, 150, 40, true);
     double best = 0;
@@ -55,7 +55,7 @@ class EnumerationTest {
   }
 
   @Test
-  void keepsPlanAndBoundWhenStopped() {
+  void stoppedEnumerationReturnsPlanAndBoundThatItWasGiven() {
     CoverInstance instance = SmallInstances.random(new SplittableRandom(4), 150, 40, true);
     int[] start = {1, 2};
     ExactMethod.Result found =
@@ -65,7 +65,7 @@ class EnumerationTest {
   }
 
   @Test
-  void provesPlanWhoseMultiplierBoundIsLoose() {
+  void planWithLooseMultiplierBoundIsProvenByEnumeration() {
     CoverInstance instance = SmallInstances.random(new SplittableRandom(4), 150, 40, true);
     ExactMethod unused =
         (part, goal, start, bound, stop) -> {
@@ -78,7 +78,7 @@ class EnumerationTest {
   }
 
   @Test
-  void suitsEqualPointsThatCountOnceAndEqualPrices() {
+  void enumerationSuitsEqualPointsWithEqualPricesOnly() {
     SplittableRandom random = new SplittableRandom(4);
     CoverInstance equal = SmallInstances.random(random, 20, 10, true);
     assertFalse(Enumeration.suits(equal, Goal.FULL_COVER));

@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Tests where labels are put. */
+/** Tests the places of labels. */
 class LabelPlacesTest {
   private static final Rectangle2D AREA = new Rectangle2D.Double(0, 0, 400, 300);
 

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Catalogues of cameras as data sheets have them. */
+/** Tests the reading of camera catalogues. */
 class DataSheetsTest {
   @TempDir private Path folder;
 
@@ -25,7 +25,7 @@ class DataSheetsTest {
   }
 
   @Test
-  void readsRangesStepsAndFocalLengthsOfOneProductEach() throws IOException {
+  void lensOfProductIsReadAsRangeStepsOrFocalLengths() throws IOException {
     PriceList list =
         read(
             "name,resolution,hfov,focal,sensor,pan,price,currency"
@@ -71,7 +71,7 @@ class DataSheetsTest {
             + " 'CHF', expected that of all other rows, EUR",
         "name,resolution,hfov,price; csv:1:1: the table has no camera",
       })
-  void rejectsWrongCellsWithTheirPlace(String table, String message) {
+  void messageTellsPlaceOfWrongCell(String table, String message) {
     InputException wrong = assertThrows(InputException.class, () -> read(table, false));
     assertTrue(wrong.getMessage().contains(message), wrong.getMessage());
   }

@@ -34,12 +34,12 @@ class DemandTest {
 </root>
 """);
     Scenario site = ScenarioReader.read(file, movement -> true, warning -> {});
-    Detection asked = Detection.of(Catalogue.load().detections().create("geometric"));
+    Detection detection = Detection.of(Catalogue.load().detections().create("geometric"));
     return Demand.of(
         site,
         sampling,
         Optional.empty(),
-        new Demand.Detections(asked, name -> asked),
+        new Demand.Detections(detection, name -> detection),
         Optional.empty());
   }
 
@@ -64,14 +64,15 @@ class DemandTest {
   }
 
   @Test
-  void finestCellsBesideObstaclesHavePoints() throws IOException {
+  void smallestCellsBesideObstaclesHavePoints() throws IOException {
     Demand demand = demand(Sampling.BY_ZONE);
     FieldCells finest = demand.finestCells();
     int[] points = demand.pointsByCell(demand.zones().get(1), finest);
     for (double y = 3.05; y < 9; y += 0.1) {
-      assertTrue(points[finest.cellAt(4.95, y)] >= 0 && points[finest.cellAt(5.85, y)] >= 0, "" + y);
+      assertTrue(
+          points[finest.cellAt(4.95, y)] >= 0 && points[finest.cellAt(5.85, y)] >= 0, "" + y);
     }
-    int[] ofTill = demand.pointsByCell(demand.zones().get(0), finest);
-    assertEquals(-1, ofTill[finest.cellAt(5, 1)]);
+    int[] pointsOfTill = demand.pointsByCell(demand.zones().get(0), finest);
+    assertEquals(-1, pointsOfTill[finest.cellAt(5, 1)]);
   }
 }

@@ -72,7 +72,7 @@ class MountPointsTest {
   }
 
   @Test
-  void hangsOnHighRacksOnly() throws IOException {
+  void camerasHangOnRacksAsHighAsTheirMountHeightOnly() throws IOException {
     String racks =
         "<polygon points=\"4,4 8,4 8,6 4,6\" height=\"1.8\"/>"
             + "<polygon points=\"12,4 16,4 16,6 12,6\" height=\"6\"/>";
@@ -90,7 +90,7 @@ class MountPointsTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0.9, 2.4})
-  void leavesDoorsFree(double width) throws IOException {
+  void noCameraHangsInDoor(double width) throws IOException {
     String walls =
         Texts.format(
             "<polygon points=\"0,9.8 8,9.8 8,10.2 0,10.2\"/>"
@@ -104,7 +104,7 @@ class MountPointsTest {
   /** A building of 16 x 16 m in a field of 20 x 20 m, with an entrance in the south. */
   @ParameterizedTest
   @ValueSource(doubles = {1, 2.4, 5})
-  void leavesEntranceAndOutsideOfBuildingFree(double width) throws IOException {
+  void noCameraHangsInEntranceOrOutsideOfBuildingWithAllZones(double width) throws IOException {
     String walls =
         Texts.format(
             "<wall x1=\"2\" y1=\"2\" x2=\"8\" y2=\"2\"/>"
@@ -148,7 +148,7 @@ class MountPointsTest {
   }
 
   @Test
-  void hangsInNarrowCorridorsAndOnColumns() throws IOException {
+  void camerasHangInNarrowCorridorsAndOnColumns() throws IOException {
     String walls = wall(9) + wall(11) + "<polygon points=\"4,4 4.4,4 4.4,4.4 4,4.4\"/>";
     List<Point> points = points(site("", walls), false);
     assertTrue(anyIn(points, 5, 9, 15, 10) && anyIn(points, 5, 10, 15, 11));
@@ -156,12 +156,12 @@ class MountPointsTest {
   }
 
   @Test
-  void leavesSlotsBetweenTwoLinesOfWallFree() throws IOException {
+  void noCameraHangsBetweenTwoLinesOfOneWall() throws IOException {
     assertFalse(anyIn(points(site("", wall(9) + wall(9.6)), false), 1, 9, 19, 9.6));
   }
 
   @Test
-  void everyPlaceHangsOnSomethingAsHigh() throws IOException {
+  void everyCameraHangsOnBorderOrObstacleAsHigh() throws IOException {
     Random random = new Random(55);
     for (int trial = 0; trial < 30; trial++) {
       String obstacles =

@@ -14,14 +14,19 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Tests from where to where cameras see people. */
+/** Tests the distances at which cameras see people. */
 class ViewReachTest {
   private static final double LENGTH = 40;
   private static final Catalogue CATALOGUE = Catalogue.load();
 
   @TempDir private Path folder;
 
-  /** The reach of a camera whose picture is 90 degrees wide and 16:9, 960 pixels a unit of tan. */
+  /**
+   * Returns the reach of a camera on a site.
+   *
+   * @param camera attributes of the camera, whose picture is 90 degrees and 1920 pixels wide, 16:9
+   * @param wall an element of the site; empty for none
+   */
   private ViewReach reach(String camera, String wall, String detection) throws IOException {
     Path file =
         Files.writeString(
