@@ -10,9 +10,9 @@ import java.util.List;
 
 /**
  * Runs scenarios in batch mode: {@code [-t STEPS] [-s SEED] [-o FILE] [-a CLASS] [-c N] [--no-gui]
- * SCENARIO.xml...}. Several scenarios run one after the other, the table of each but the first in
- * the subfolder {@code 1}, {@code 2}, ... of the output's folder. {@code -x} leaves files unclosed,
- * as a window that is shut does.
+ * SCENARIO.xml...}. Several scenarios run one after the other; the table of each but the first goes
+ * to the subfolder {@code 1}, {@code 2}, ... of the output's folder. {@code -x} leaves files
+ * unclosed, as CamSim does when its window is shut.
  */
 public final class Main {
   private int steps = 100;
@@ -46,7 +46,7 @@ public final class Main {
           break;
         case "-a":
         case "-c":
-          i++; // active schedules that broadcast are all there is
+          i++; // the doubles only have active schedules that broadcast
           break;
         case "-x":
           closing = false;
@@ -60,7 +60,7 @@ public final class Main {
   }
 
   private void run(int number) throws IOException {
-    Path table = number == 0 ? output : below(number);
+    Path table = number == 0 ? output : outputInSubfolder(number);
     SimCore core = new SimCore(scenarios.get(number), seed, table);
     for (int step = 0; step < steps; step++) {
       core.update();
@@ -70,7 +70,7 @@ public final class Main {
     }
   }
 
-  private Path below(int number) throws IOException {
+  private Path outputInSubfolder(int number) throws IOException {
     Path folder = output.toAbsolutePath().resolveSibling(String.valueOf(number));
     return java.nio.file.Files.createDirectories(folder).resolve(output.getFileName());
   }

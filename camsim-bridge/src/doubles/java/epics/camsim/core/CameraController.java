@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** A camera: what it sees, and the auctions of an active schedule that broadcasts. */
+/** A camera: what it sees, and how it trades objects by an active schedule that broadcasts. */
 public class CameraController {
-  /** The farthest that CamSim's own zoom reaches, metres. */
+  /** The greatest range that CamSim's own zoom gives, metres. */
   public static final double MAX_VISIBILITY = 20;
 
   private final String name;
@@ -76,17 +76,17 @@ public class CameraController {
     return offline;
   }
 
-  /** The name; while the camera is offline, that it is. */
+  /** The name of the camera; {@code Offline} while it is offline. */
   public String getName() {
     return offline ? "Offline" : name;
   }
 
-  /** CamSim's own zoom. */
+  /** Zooms as CamSim itself does. */
   public void increaseRange(double metres) {
     range = clamped(range + metres);
   }
 
-  /** Sets what is not -1: metres and degrees. */
+  /** Sets position, aim and range in metres and degrees; -1 leaves a value unchanged. */
   public void change(double newX, double newY, double newHeading, double newAngle, double reach) {
     x = newX == -1 ? x : newX;
     y = newY == -1 ? y : newY;
@@ -131,7 +131,7 @@ public class CameraController {
     visible.remove(object);
   }
 
-  /** What the camera sees, and how well. */
+  /** The objects that the camera sees, with their confidences. */
   Map<TraceableObject, Double> visible() {
     return visible;
   }
@@ -173,7 +173,7 @@ public class CameraController {
     return delivered;
   }
 
-  /** Claims what nobody owns, and bids for what others advertise. */
+  /** Claims visible objects that nobody owns, and bids for those that others advertise. */
   void lookForSearched() {
     List<TraceableObject> claimed = new ArrayList<>();
     for (Map.Entry<TraceableObject, Double> seen : visible.entrySet()) {

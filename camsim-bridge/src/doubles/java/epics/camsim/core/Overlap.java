@@ -1,6 +1,9 @@
 package epics.camsim.core;
 
-/** CamSim's overlap of two cameras' circles, right for some positions only. */
+/**
+ * Computes the area that the circles of two cameras have in common as CamSim does, which is right
+ * for some positions only.
+ */
 final class Overlap {
   private Overlap() {}
 

@@ -15,7 +15,7 @@ import javax.xml.parsers.ParserConfigurationException;
 import org.w3c.dom.Element;
 import org.xml.sax.SAXException;
 
-/** The simulated world, and its steps. */
+/** Holds the simulated world, and makes its steps. */
 public class SimCore {
   private static final String HEADER =
       "time;utility;communication;visible;strategy;totUtil;totComm;overlap;confidence;proportion";
@@ -36,7 +36,11 @@ public class SimCore {
   private final double maxY;
   private int time;
 
-  /** The world of a scenario file; its table goes to {@code output}. */
+  /**
+   * Creates the world of a scenario file.
+   *
+   * @param output the file for the table of steps
+   */
   public SimCore(File scenario, long seed, Path output) throws IOException {
     Element root = root(scenario);
     this.output = output;
@@ -100,12 +104,12 @@ public class SimCore {
     return !(x > maxX || x < minX || y > maxY || y < minY);
   }
 
-  /** The top-left based y coordinate, as CamSim computes it (behaviour 2). */
+  /** Returns y as CamSim computes it from the top left corner (behaviour 2). */
   double distanceFromTop(double y) {
     return (minY + y) * -1;
   }
 
-  /** One step. */
+  /** Makes one step. */
   public void update() {
     for (Attributes event : events) {
       if (event.integer("timestep") == time) {
@@ -196,10 +200,10 @@ public class SimCore {
   }
 
   private void fire(Attributes event) {
-    String what = event.text("participant") + " " + event.text("event");
-    if (what.equals("camera error")) {
+    String action = event.text("participant") + " " + event.text("event");
+    if (action.equals("camera error")) {
       cameraNamed(event.text("name")).switchOff();
-    } else if (what.equals("camera change")) {
+    } else if (action.equals("camera change")) {
       cameraNamed(event.text("name"))
           .change(
               event.number("x"),
@@ -207,11 +211,11 @@ public class SimCore {
               event.number("heading"),
               event.number("viewing_angle"),
               event.number("range"));
-    } else if (what.equals("camera add")) {
+    } else if (action.equals("camera add")) {
       add(camera(event));
-    } else if (what.equals("object add")) {
+    } else if (action.equals("object add")) {
       add(addedObject(event));
-    } else if (what.equals("object error")) {
+    } else if (action.equals("object error")) {
       remove(event.number("name"));
     }
   }
@@ -220,27 +224,27 @@ public class SimCore {
     return cameras.stream().filter(camera -> camera.getName().equals(name)).findFirst().get();
   }
 
-  private static CameraController camera(Attributes given) {
+  private static CameraController camera(Attributes attributes) {
     return new CameraController(
-        given.text("name"),
-        given.number("x"),
-        given.number("y"),
-        Math.toRadians(given.number("heading")),
-        Math.toRadians(given.number("viewing_angle")),
-        given.number("range"));
+        attributes.text("name"),
+        attributes.number("x"),
+        attributes.number("y"),
+        Math.toRadians(attributes.number("heading")),
+        Math.toRadians(attributes.number("viewing_angle")),
+        attributes.number("range"));
   }
 
   /** An object that follows waypoints takes its heading as its speed (behaviour 11, Q3). */
-  private static TraceableObject object(Attributes given) {
-    Point start = new Point(given.number("x"), given.number("y"));
-    double heading = Math.toRadians(given.number("heading"));
-    boolean path = given.text("move").endsWith("Waypoints");
+  private static TraceableObject object(Attributes attributes) {
+    Point start = new Point(attributes.number("x"), attributes.number("y"));
+    double heading = Math.toRadians(attributes.number("heading"));
+    boolean path = attributes.text("move").endsWith("Waypoints");
     return new TraceableObject(
-        given.number("features"),
+        attributes.number("features"),
         start,
         heading,
-        path ? heading : given.number("speed"),
-        path ? given.waypoints() : Collections.emptyList());
+        path ? heading : attributes.number("speed"),
+        path ? attributes.waypoints() : Collections.emptyList());
   }
 
   private static TraceableObject addedObject(Attributes event) {

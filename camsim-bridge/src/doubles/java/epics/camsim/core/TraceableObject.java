@@ -4,7 +4,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 
-/** An object that moves straight or along waypoints, and turns about at the border. */
+/** An object that moves straight or along waypoints, and turns round at the border. */
 public class TraceableObject {
   private static final double REACHED_DISTANCE = 1 - 0.00001;
 

@@ -140,7 +140,10 @@ final class BridgeOptions {
     return Optional.ofNullable(given.text(key, null, ""));
   }
 
-  /** Rejects unknown options, with a hint, since a comma ends the options of a policy. */
+  /**
+   * Rejects unknown options. The message has a hint, since users may separate the options of a
+   * policy by commas.
+   */
   private void rejectUnknown() {
     try {
       given.rejectUnknown();
@@ -190,7 +193,7 @@ final class BridgeOptions {
     return tracks;
   }
 
-  /** Parses a policy, whose options are separated by semicolons, since commas separate ours. */
+  /** Parses a policy with its options, which semicolons separate since commas end our options. */
   private BridgeSettings.Policy policy(String text) {
     String spec = text.replace(';', ',');
     ZoomPolicy policy = catalogue.policies().create(spec);
@@ -210,7 +213,7 @@ final class BridgeOptions {
   /** Returns a lens for all cameras, whose reach is the range of each camera. */
   private static OpticsSpec optics(
       String angles, Optional<String> law, Optional<String> pan, Optional<String> pixels) {
-    OpticsLaw opticsLaw = law.map(BridgeOptions::lens).orElse(OpticsLaw.PINHOLE);
+    OpticsLaw opticsLaw = law.map(BridgeOptions::law).orElse(OpticsLaw.PINHOLE);
     OpticsSpec optics =
         new OpticsSpec("bridge")
             .with(OpticsSpec.LAW, opticsLaw)
@@ -235,16 +238,15 @@ final class BridgeOptions {
     return optics;
   }
 
-  private static OpticsLaw lens(String law) {
-    List<OpticsLaw> lenses =
-        Arrays.stream(OpticsLaw.values()).filter(OpticsLaw::hasAngles).toList();
+  private static OpticsLaw law(String law) {
+    List<OpticsLaw> laws = Arrays.stream(OpticsLaw.values()).filter(OpticsLaw::hasAngles).toList();
     return Spelling.find(OpticsLaw.class, law)
-        .filter(lenses::contains)
+        .filter(laws::contains)
         .orElseThrow(
             () ->
                 InputException.of(
                     "options: law is '%s', expected one of %s",
-                    law, lenses.stream().map(Spelling::of).collect(Collectors.joining(", "))));
+                    law, laws.stream().map(Spelling::of).collect(Collectors.joining(", "))));
   }
 
   private static double number(String key, String text, double least, double most) {
@@ -258,24 +260,24 @@ final class BridgeOptions {
   /**
    * Parses one or more rising numbers, separated by semicolons, commas or blanks.
    *
-   * @param what the plural name of the numbers, such as "radii"
+   * @param plural the name of the numbers, such as "radii"
    * @param example an example of such a list
    */
   private static List<Double> rising(
-      String key, String text, double least, double most, String what, String example) {
+      String key, String text, double least, double most, String plural, String example) {
     List<Double> numbers = new ArrayList<>();
     for (String item : text.strip().split("[;,\\s]+")) {
       double number = number(key, item, least, most);
       if (!numbers.isEmpty() && number <= numbers.get(numbers.size() - 1)) {
         throw InputException.of(
             "%s has '%s' after %s, expected rising %s, each once, such as %s",
-            key, item, numbers.get(numbers.size() - 1), what, example);
+            key, item, numbers.get(numbers.size() - 1), plural, example);
       }
       numbers.add(number);
     }
     if (numbers.size() > MAX_NUMBERS) {
       throw InputException.of(
-          "%s has %s %s, expected at most %s", key, numbers.size(), what, MAX_NUMBERS);
+          "%s has %s %s, expected at most %s", key, numbers.size(), plural, MAX_NUMBERS);
     }
     return numbers;
   }

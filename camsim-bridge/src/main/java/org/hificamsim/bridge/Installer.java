@@ -18,8 +18,9 @@ import org.hificamsim.core.Place;
 import org.hificamsim.core.file.OutputFolder;
 
 /**
- * Reads the options, checks that this CamSim has the methods they need, and registers the weaver
- * that inserts hooks into its classes. Installs nothing if a check fails.
+ * Installs the bridge. It reads the options, checks that this CamSim has the methods that they
+ * need, and registers the weaver that inserts hooks into its classes. If a check fails, it installs
+ * nothing.
  */
 public final class Installer implements BiConsumer<String, Instrumentation> {
   @Override

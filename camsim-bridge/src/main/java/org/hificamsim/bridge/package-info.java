@@ -1,2 +1,2 @@
-/** Hi-fi detection, zoom policies and k-coverage inside an unmodified CamSim. */
+/** Adds hi-fi detection, zoom policies and k-coverage to an unmodified CamSim. */
 package org.hificamsim.bridge;

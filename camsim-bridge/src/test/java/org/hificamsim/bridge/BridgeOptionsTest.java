@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class BridgeOptionsTest {
   @Test
-  void readsDetectionPolicyAndOutput() {
+  void settingsHaveValuesOfOptions() {
     BridgeSettings settings =
         parse(
             "detection=hifi:orb-lin,policy=sarsa:gamma=0.9;epsilon=0.1,threshold=0.0441,size=1.5,"
@@ -50,8 +50,8 @@ class BridgeOptionsTest {
   @Test
   void defaultsAreModelThresholdAndLargestLabTarget() {
     BridgeSettings settings = parse("detection=hifi:orb-lin");
-    double own = OwnSimulation.detection("hifi:orb-lin").threshold();
-    assertEquals(own, settings.detection().orElseThrow().threshold());
+    double ofModel = OwnSimulation.detection("hifi:orb-lin").threshold();
+    assertEquals(ofModel, settings.detection().orElseThrow().threshold());
     assertEquals(0.66, settings.size());
     assertEquals(0, settings.seed());
     assertEquals(Optional.empty(), settings.policy());
@@ -60,12 +60,12 @@ class BridgeOptionsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"zooms=2.5;5;7.5", "zooms=2.5 5 7.5", "zooms=2.5,5,7.5"})
-  void acceptsRadiiSeparatedBySemicolonsBlanksOrCommas(String zooms) {
+  void radiiMayBeSeparatedBySemicolonsBlanksOrCommas(String zooms) {
     assertEquals(List.of(2.5, 5.0, 7.5), parse("policy=random," + zooms).zooms());
   }
 
   @Test
-  void readsOptics() {
+  void opticsHaveAnglesLawAndPixelsOfOptions() {
     OpticsSpec optics =
         parse("policy=random,hfov=8;25;58,law=constant-area,pan=-60;0;60,pixels=640")
             .optics()
@@ -88,19 +88,19 @@ class BridgeOptionsTest {
   }
 
   @Test
-  void needsNothingWithoutDetectionPolicyAndOut() {
+  void camSimStaysUnchangedWithoutDetectionPolicyAndOut() {
     assertFalse(parse("strict=true").needsWeaving());
     assertTrue(parse("out=results").needsWeaving());
   }
 
   @ParameterizedTest
   @MethodSource
-  void errorsNameProblemAndExpectation(String options, String problem) {
+  void messageTellsProblemAndExpectation(String options, String problem) {
     InputException thrown = assertThrows(InputException.class, () -> parse(options));
     assertTrue(thrown.getMessage().startsWith(problem), thrown.getMessage());
   }
 
-  static Stream<Arguments> errorsNameProblemAndExpectation() {
+  static Stream<Arguments> messageTellsProblemAndExpectation() {
     return Stream.of(
         arguments(
             "detection=hifi:orb-line",

@@ -16,10 +16,13 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * A run of the doubles of CamSim: {@link #start} and {@link #alone} take a JVM of its own, as a
- * user starts it; {@link #of} and {@link #shared} do without, which takes a tenth of the time.
+ * A run of the doubles of CamSim. {@link #start} and {@link #alone} start a JVM for it, as users
+ * do; {@link #of} and {@link #shared} run it in this JVM, which takes a tenth of the time.
  *
- * @param folder where it ran, and where its files are
+ * @param exit the exit code
+ * @param out the standard output
+ * @param err the standard error
+ * @param folder the folder in which it ran and wrote its files
  */
 record CamSimRun(int exit, String out, String err, Path folder) {
   static final Path ROOT = Path.of(System.getProperty("hificamsim.root", ".")).toAbsolutePath();
@@ -28,20 +31,20 @@ record CamSimRun(int exit, String out, String err, Path folder) {
   static final Path AGENT = LIBS.resolve("hificamsim-bridge.jar");
   static final Path CROSSING = ROOT.resolve("camsim-bridge/src/test/resources/crossing.xml");
 
-  /** No agent at all. */
+  /** The options of a run without an agent. */
   static final String WITHOUT_AGENT = null;
 
-  /** An agent without options. */
+  /** The options of a run with an agent that has no options. */
   static final String WITHOUT_OPTIONS = "";
 
   private static final Map<String, CamSimRun> SHARED = new HashMap<>();
 
-  /** A run of the tests' scenario for 200 steps, shared by all tests that only read it. */
+  /** Runs the tests' scenario for 200 steps; tests that only read the files share the run. */
   static synchronized CamSimRun shared(String options) {
-    return SHARED.computeIfAbsent(options, key -> of(untilTheEnd(), options));
+    return SHARED.computeIfAbsent(options, key -> of(folderUntilExit(), options));
   }
 
-  private static Path untilTheEnd() {
+  private static Path folderUntilExit() {
     try {
       Path folder = Files.createTempDirectory("camsim");
       Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(folder)));
@@ -64,7 +67,7 @@ record CamSimRun(int exit, String out, String err, Path folder) {
     return WovenDoubles.run(folder, options, scenario, steps);
   }
 
-  /** The same in a JVM of its own. */
+  /** Runs a scenario for some steps, with seed 0, in a JVM of its own. */
   static CamSimRun alone(Path folder, String options, Path scenario, int steps) {
     return start(
         folder,
@@ -79,7 +82,7 @@ record CamSimRun(int exit, String out, String err, Path folder) {
     return of(folder, options, CROSSING, 200);
   }
 
-  /** Runs a main class. */
+  /** Runs a main class in a JVM of its own. */
   static CamSimRun start(
       Path folder, String options, List<Path> classPath, String main, List<String> arguments) {
     List<String> command = new ArrayList<>();
@@ -120,17 +123,17 @@ record CamSimRun(int exit, String out, String err, Path folder) {
     }
   }
 
-  /** The lines of a file that it wrote, without the header. */
+  /** Returns the lines of a file that the run wrote, without the header. */
   List<String> rows(String file) {
     return text(file).lines().skip(1).toList();
   }
 
-  /** A file that it wrote. */
+  /** Returns the text of a file that the run wrote. */
   String text(String file) {
     return read(folder.resolve(file));
   }
 
-  /** All that CamSim itself says and writes. */
+  /** Returns all that CamSim itself prints and writes. */
   String all() {
     return exit + "\n" + out + text("output.csv") + text("looks.csv");
   }

@@ -24,7 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What cameras of CamSim see under the agent. */
+/** Tests what cameras of CamSim see under the agent. */
 class DetectionTest {
   private static CamSimRun without;
 
@@ -36,7 +36,7 @@ class DetectionTest {
   }
 
   @Test
-  void changesNothingWithoutOptions() {
+  void agentWithoutOptionsChangesNothing() {
     CamSimRun with = alone("with", CamSimRun.WITHOUT_OPTIONS);
     assertEquals(without.all(), with.all());
     assertEquals("", with.err());
@@ -54,15 +54,16 @@ class DetectionTest {
   @ValueSource(strings = {"own1006", "own1008", "own1018"})
   void camSimVisibilityReproducesCamSimNumbersForOtherScenarios(String name) {
     Path scenario = Reference.file("own-camsim/" + name + ".xml");
-    CamSimRun own = CamSimRun.of(folder.resolve("without"), CamSimRun.WITHOUT_AGENT, scenario, 300);
+    CamSimRun plain =
+        CamSimRun.of(folder.resolve("without"), CamSimRun.WITHOUT_AGENT, scenario, 300);
     CamSimRun with =
         CamSimRun.of(folder.resolve("with"), "detection=camsim-visibility", scenario, 300);
-    assertEquals(own.all(), with.all());
+    assertEquals(plain.all(), with.all());
     assertTrue(with.rows("looks.csv").size() > 1000);
   }
 
   @Test
-  void watchingChangesNothing() {
+  void writingResultsChangesNothing() {
     CamSimRun with = CamSimRun.shared("out=results");
     assertEquals(without.all(), with.all());
     assertEquals("", with.err());
@@ -79,7 +80,7 @@ class DetectionTest {
   }
 
   @Test
-  void usesGivenThresholdAndSize() {
+  void thresholdAndSizeOfOptionsDecideWhatIsSeen() {
     CamSimRun with = run("with", "detection=hifi:sift-power,threshold=0.3,size=1.7");
     Detection detection = new Detection(OwnSimulation.CATALOGUE.detection("hifi:sift-power"), 0.3);
     int visible = assertFollows(with, detection, 1.7);
@@ -87,7 +88,7 @@ class DetectionTest {
   }
 
   @Test
-  void readsModelFromFileInWorkingDirectory() throws IOException {
+  void modelMayBeFileInWorkingDirectory() throws IOException {
     Path model =
         CamSimRun.ROOT.resolve(
             "hifi-detection/src/main/resources/org/hificamsim/hifi/model/lab/surf-power.json");
@@ -100,7 +101,7 @@ class DetectionTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"hifi:orb-lin", "camsim-range", "camsim-visibility", "geometric"})
-  void filesEqualThoseOfOwnEngine(String name) throws IOException {
+  void filesEqualThoseOfHiFiCamSim(String name) throws IOException {
     CamSimRun with = CamSimRun.shared("detection=" + name + ",out=results");
     Path expected = folder.resolve("engine");
     RunCoverage sums =
@@ -124,7 +125,7 @@ class DetectionTest {
   }
 
   @Test
-  void followsTargetsAsOwnEngine() throws IOException {
+  void figuresOfFollowingTargetsEqualThoseOfHiFiCamSim() throws IOException {
     CamSimRun with = run("with", "detection=hifi:orb-lin,out=results,following=targets");
     Path expected = folder.resolve("engine");
     Detection detection = OwnSimulation.detection("hifi:orb-lin");
@@ -146,7 +147,7 @@ class DetectionTest {
     CamSimRun with = CamSimRun.shared("out=results");
     Map<Integer, Long> seen =
         with.rows("looks.csv").stream()
-            .map(Look::of)
+            .map(Look::parse)
             .filter(look -> look.kept() > 0)
             .collect(Collectors.groupingBy(Look::step, Collectors.counting()));
     for (String row : with.rows("results/steps.csv")) {
@@ -156,17 +157,17 @@ class DetectionTest {
     }
   }
 
-  /** Recomputes each look from the logged positions; returns how many saw something. */
+  /** Requires that each look follows from the logged positions; returns how many saw something. */
   private static int assertFollows(CamSimRun run, Detection detection, double size) {
     Map<String, CameraSpec> cameras =
         OwnSimulation.scenario(CamSimRun.CROSSING, List.of()).cameras().stream()
             .collect(Collectors.toMap(CameraSpec::name, Function.identity()));
     int visible = 0;
     for (String row : run.rows("looks.csv")) {
-      Look look = Look.of(row);
+      Look look = Look.parse(row);
       CameraSpec camera = cameras.get(look.camera());
       if (camera == null || look.step() >= 90) {
-        continue; // it came later, or has turned
+        continue; // the camera came later, or an event has turned it
       }
       double expected = confidence(camera, look, detection, size);
       assertEquals(expected, look.returned(), row);
@@ -200,18 +201,19 @@ class DetectionTest {
   }
 
   @Test
-  void takesDetectionQuestionFromScenarioWithoutOptions() throws IOException {
-    String asks = " detection=\"hifi:orb-lin\" threshold=\"0.2\" objective=\"covered:k=1\">";
-    Path asking =
+  void attributesOfScenarioAreDefaultsOfOptions() throws IOException {
+    String attributes = " detection=\"hifi:orb-lin\" threshold=\"0.2\" objective=\"covered:k=1\">";
+    Path withAttributes =
         Files.writeString(
             folder.resolve("crossing.xml"),
-            Files.readString(CamSimRun.CROSSING).replace("max_y=\"15\">", "max_y=\"15\"" + asks));
-    String told = "detection=hifi:orb-lin,threshold=0.2,objective=covered:k=1,out=results";
-    CamSimRun plain = started("plain", told, CamSimRun.CROSSING);
+            Files.readString(CamSimRun.CROSSING)
+                .replace("max_y=\"15\">", "max_y=\"15\"" + attributes));
+    String sameOptions = "detection=hifi:orb-lin,threshold=0.2,objective=covered:k=1,out=results";
+    CamSimRun plain = started("plain", sameOptions, CamSimRun.CROSSING);
     assertEquals("", plain.err());
-    assertEquals(plain.all(), started("asked", "out=results", asking).all());
+    assertEquals(plain.all(), started("asked", "out=results", withAttributes).all());
     String other = "detection=hifi:orb-power,objective=sum,out=results";
-    CamSimRun before = started("before", other, asking);
+    CamSimRun before = started("before", other, withAttributes);
     assertEquals(started("other", other, CamSimRun.CROSSING).all(), before.all());
   }
 

@@ -10,12 +10,12 @@ import org.hificamsim.core.Reference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The doubles against what CamSim itself has written. */
+/** Compares the doubles with files that CamSim itself has written. */
 class DoublesTest {
   @TempDir Path folder;
 
   @Test
-  void reproduceCamSimNumbers() throws IOException {
+  void doublesReproduceNumbersOfCamSim() throws IOException {
     assertOutput("SASO/scenario6", "SASO-scenario6__Active__c0__s0__t1000", 1000);
     assertOutput("ICDSC2012/scenario_5", "ICDSC2012-scenario_5__Active__c0__s0__t400", 400);
     assertOutput("scenario1_active", "scenario1_active__Active__c0__s0__t200", 200);

@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** CamSim and the bridge do not see each other's libraries. */
+/** Tests that CamSim and the bridge do not see each other's libraries. */
 class IsolationTest {
   private static final List<String> LIBRARIES =
       List.of(
@@ -26,17 +26,17 @@ class IsolationTest {
   @TempDir Path folder;
 
   @Test
-  void toleratesOtherLibraryVersionsOnCamSimClassPath() throws IOException {
-    Path hostile = folder.resolve("hostile");
+  void otherVersionsOfLibrariesOnClassPathOfCamSimDoNotMatter() throws IOException {
+    Path otherVersions = folder.resolve("other-versions");
     for (String name : LIBRARIES) {
       int dot = name.lastIndexOf('.');
       Variant.compile(
-          hostile,
+          otherVersions,
           name.replace('.', '/') + ".java",
           "package %s; public class %s { public static final int OLD = 1; }"
               .formatted(name.substring(0, dot), name.substring(dot + 1)));
     }
-    Path classes = hostile.resolve("classes");
+    Path classes = otherVersions.resolve("classes");
     Path services = Files.createDirectories(classes.resolve("META-INF/services"));
     Files.writeString(
         services.resolve("org.hificamsim.core.policy.ZoomPolicy"), "org.example.Missing");
@@ -55,7 +55,7 @@ class IsolationTest {
   }
 
   @Test
-  void hidesLibrariesOfBridgeFromCamSim() throws IOException {
+  void camSimDoesNotSeeLibrariesOfBridge() throws IOException {
     Path classes =
         Variant.compile(
             folder,

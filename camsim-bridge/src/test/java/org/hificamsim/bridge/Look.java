@@ -1,12 +1,12 @@
 package org.hificamsim.bridge;
 
 /**
- * A row of the doubles' own log: what a camera saw of an object.
+ * A row of the log that the doubles write: what a camera saw of an object.
  *
- * @param returned by {@code update_visiblity}
- * @param kept in the camera's visible set; 0 when the object is not in it
- * @param heading of the camera, radians
- * @param angle of the camera, radians
+ * @param returned the confidence that {@code update_visiblity} returned
+ * @param kept the confidence in the camera's visible set; 0 if the object is not in it
+ * @param heading the heading of the camera, radians
+ * @param angle the opening angle of the camera, radians
  */
 record Look(
     int step,
@@ -19,7 +19,7 @@ record Look(
     double kept,
     double heading,
     double angle) {
-  static Look of(String row) {
+  static Look parse(String row) {
     String[] cells = row.split(",", -1);
     return new Look(
         Integer.parseInt(cells[0]),

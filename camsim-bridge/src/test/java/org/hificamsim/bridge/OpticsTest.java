@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** How policies turn and zoom CamSim's cameras through a lens. */
+/** Tests how policies turn and zoom CamSim's cameras that have a lens. */
 class OpticsTest {
   private static final String TURNING = "hfov=15;40;100,pan=-60;0;60,pixels=640";
   private static final String RANDOM_BY_AREA = "policy=random,law=constant-area," + TURNING;
@@ -31,7 +31,7 @@ class OpticsTest {
   private static final Map<String, Double> HEADINGS =
       Map.of("A", 30.0, "B", -45.0, "C", 0.0, "D", 180.0, "E", 0.0);
 
-  /** A CamSim whose {@code change} takes radians, and whose events give it some. */
+  /** Replacements that make a CamSim whose {@code change} and events use radians. */
   private static final Map<String, String> IN_RADIANS =
       Map.of(
           "Math.toRadians(newHeading)", "newHeading",
@@ -44,16 +44,16 @@ class OpticsTest {
 
   @ParameterizedTest
   @MethodSource
-  void decidesLikeOwnEngineWhileCamerasTurnFailAndJoin(String detection, String policy, String law)
-      throws IOException {
+  void policyDecidesAsInHiFiCamSimWhileCamerasTurnFailAndJoin(
+      String detection, String policy, String law) throws IOException {
     String optics = TURNING + ",law=" + law;
     CamSimRun with =
         run("with", "detection=%s,policy=%s,%s,out=results".formatted(detection, policy, optics));
     assertEquals("", with.err());
-    assertSameFiles(own(detection(detection), policy, optics), with);
+    assertSameFiles(inHiFiCamSim(detection(detection), policy, optics), with);
   }
 
-  static Stream<Arguments> decidesLikeOwnEngineWhileCamerasTurnFailAndJoin() {
+  static Stream<Arguments> policyDecidesAsInHiFiCamSimWhileCamerasTurnFailAndJoin() {
     String density = "dori-2014:level=observe";
     return Stream.of(
         Arguments.of(density, "fixed:levels=1;pans=2", "pinhole"),
@@ -72,12 +72,13 @@ class OpticsTest {
   void camSimLooksWherePolicyTurnsCamerasWithoutModel() throws IOException {
     CamSimRun with = run("with", "policy=epsilon-greedy," + TURNING + ",out=results");
     assertEquals("", with.err());
-    assertSameFiles(own(detection("camsim-visibility"), "epsilon-greedy", TURNING), with);
+    Detection detection = detection("camsim-visibility");
+    assertSameFiles(inHiFiCamSim(detection, "epsilon-greedy", TURNING), with);
   }
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void turnsAndZoomsBeforeLookingInEitherAngleUnit(boolean radians) throws IOException {
+  void camerasTurnAndZoomBeforeLookingInEitherAngleUnit(boolean radians) throws IOException {
     String options = RANDOM_BY_AREA + ",out=results";
     CamSimRun with = radians ? run("with", options, Variant.of(folder, IN_RADIANS)) : turning();
     assertEquals("", with.err());
@@ -87,10 +88,11 @@ class OpticsTest {
         .forEach(cells -> views.put(cells[1] + " " + cells[2], cells));
     Set<String> seen = new TreeSet<>();
     for (String row : with.rows("looks.csv")) {
-      Look look = Look.of(row);
+      Look look = Look.parse(row);
       String[] view = views.get(look.step() + " " + look.camera());
       assertEquals(Double.parseDouble(view[4]), look.range(), row);
-      assertEquals(mounted(look) + Double.parseDouble(view[6]), degrees(look.heading()), 1e-9, row);
+      assertEquals(
+          mountedHeading(look) + Double.parseDouble(view[6]), degrees(look.heading()), 1e-9, row);
       assertEquals(Double.parseDouble(view[7]), degrees(look.angle()), 1e-9, row);
       assertEquals("0", view[8]);
       seen.add(look.camera() + view[3] + view[6]);
@@ -98,8 +100,8 @@ class OpticsTest {
     assertEquals(5 * 9, seen.size(), "five cameras, each at all of its views: " + seen);
   }
 
-  /** An event turns A in step 90. */
-  private static double mounted(Look look) {
+  /** Returns the mounted heading of the camera that looks; an event turns A in step 90. */
+  private static double mountedHeading(Look look) {
     return look.camera().equals("A") && look.step() >= 90 ? 60 : HEADINGS.get(look.camera());
   }
 
@@ -118,14 +120,14 @@ class OpticsTest {
   private static Set<Double> ranges(CamSimRun run, String camera) {
     Set<Double> ranges = new TreeSet<>();
     run.rows("looks.csv").stream()
-        .map(Look::of)
+        .map(Look::parse)
         .filter(look -> look.camera().equals(camera))
         .forEach(look -> ranges.add(look.range()));
     return ranges;
   }
 
   @Test
-  void turnsCameraToOneDegreeLeftOfNorth() throws IOException {
+  void cameraCanTurnToOneDegreeLeftOfNorth() throws IOException {
     String before = Files.readString(CamSimRun.CROSSING);
     Path file = folder.resolve("left.xml");
     Files.writeString(file, before.replace("heading=\"30\"", "heading=\"-1\""));
@@ -134,7 +136,7 @@ class OpticsTest {
             folder.resolve("with"), "policy=fixed,hfov=40,pan=-30;0,out=results", file, 20);
     assertEquals("", with.err());
     with.rows("looks.csv").stream()
-        .map(Look::of)
+        .map(Look::parse)
         .filter(look -> look.camera().equals("A"))
         .forEach(look -> assertEquals(-1, Math.IEEEremainder(degrees(look.heading()), 360), 1e-9));
     assertTrue(with.rows("results/zooms.csv").get(0).endsWith(",0.0,40.0,0"));
@@ -160,8 +162,8 @@ class OpticsTest {
   @ValueSource(ints = {10, 100})
   void endOfRunRestoresCamerasUnlessEventTurnedThem(int steps) throws IOException {
     Path classes = Variant.compile(folder, "Ends.java", ENDS);
-    List<String> with = ended("with", RANDOM_BY_AREA, classes, steps);
-    assertEquals(ended("without", CamSimRun.WITHOUT_AGENT, classes, steps), with);
+    List<String> with = camerasAtEnd("with", RANDOM_BY_AREA, classes, steps);
+    assertEquals(camerasAtEnd("without", CamSimRun.WITHOUT_AGENT, classes, steps), with);
     assertEquals(steps > 55 ? 5 : 4, with.size());
   }
 
@@ -184,7 +186,8 @@ public class Ends {
 }
 """;
 
-  private List<String> ended(String name, String options, Path classes, int steps) {
+  /** Returns lines that describe the cameras after the end of a run. */
+  private List<String> camerasAtEnd(String name, String options, Path classes, int steps) {
     CamSimRun run =
         CamSimRun.start(
             folder.resolve(name),
@@ -216,20 +219,20 @@ public class Ends {
     assertTrue(steps > 1 && steps < 20, steps + " steps before the failure");
     CamSimRun without = CamSimRun.shared(CamSimRun.WITHOUT_AGENT);
     assertFalse(without.text("looks.csv").startsWith(with.text("looks.csv").substring(0, 5000)));
-    assertEquals(after(steps, without), after(steps, with));
+    assertEquals(aimsAfter(steps, without), aimsAfter(steps, with));
   }
 
-  /** What all looks after some steps were made with. */
-  private static List<String> after(int steps, CamSimRun run) {
+  /** Returns range, heading and angle of each look after some steps. */
+  private static List<String> aimsAfter(int steps, CamSimRun run) {
     return run.rows("looks.csv").stream()
-        .map(Look::of)
+        .map(Look::parse)
         .filter(look -> look.step() > steps)
         .map(look -> look.camera() + look.range() + " " + look.heading() + " " + look.angle())
         .toList();
   }
 
   @Test
-  void reportsUnknownAngleUnitAndLetsCamSimRun() throws IOException {
+  void camSimWithUnknownAngleUnitIsReportedAndRunsOn() throws IOException {
     Path classes =
         Variant.of(
             folder,
@@ -242,12 +245,13 @@ public class Ends {
     assertEquals(1, with.err().lines().count());
   }
 
-  /** Cameras that turn and zoom by chance, with files. */
+  /** Returns a run in which cameras turn and zoom by chance. */
   private static CamSimRun turning() {
     return CamSimRun.shared(RANDOM_BY_AREA + ",out=results");
   }
 
-  private Path own(Detection detection, String policy, String optics) throws IOException {
+  /** Runs the scenario in HiFi-CamSim, and returns the folder of its results. */
+  private Path inHiFiCamSim(Detection detection, String policy, String optics) throws IOException {
     Scenario scenario =
         OwnSimulation.scenario(
             CamSimRun.CROSSING,

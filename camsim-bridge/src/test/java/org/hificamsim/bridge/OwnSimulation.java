@@ -21,27 +21,27 @@ import org.hificamsim.runs.Traffic;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.SingleRun;
 
-/** This project's own engine on CamSim's scenarios: what the bridge has to agree with. */
+/** Runs CamSim's scenarios in HiFi-CamSim, whose results the bridge has to reproduce. */
 final class OwnSimulation {
   static final Catalogue CATALOGUE = Catalogue.load();
 
   private OwnSimulation() {}
 
-  /** Runs a scenario in CamSim's order, with seed 0, and writes the files of a record. */
+  /** Runs a scenario in CamSim's order, with seed 0, and writes its result files. */
   static RunCoverage record(
       Path folder, Path file, List<Double> zooms, Detection detection, String policy, int steps)
       throws IOException {
     return record(folder, file, zooms, detection, CATALOGUE.policies().create(policy), steps);
   }
 
-  /** The same with a policy that can be asked afterwards. */
+  /** Does the same with a policy, which callers can ask for its figures afterwards. */
   static RunCoverage record(
       Path folder, Path file, List<Double> zooms, Detection detection, ZoomPolicy policy, int steps)
       throws IOException {
     return record(folder, scenario(file, zooms), detection, policy, steps);
   }
 
-  /** The same of a scenario that was read. */
+  /** Does the same for a scenario that has been read already. */
   static RunCoverage record(
       Path folder, Scenario scenario, Detection detection, ZoomPolicy policy, int steps)
       throws IOException {
@@ -56,17 +56,20 @@ final class OwnSimulation {
     return coverage;
   }
 
-  /** A detection model with its own threshold. */
+  /** Returns the detection by a model at its default threshold. */
   static Detection detection(String name) {
     return Detection.of(CATALOGUE.detection(name));
   }
 
-  /** A scenario whose cameras, those that events add included, have these optics with a reach. */
+  /**
+   * Reads a scenario, and gives all its cameras, including those that events add, the same optics,
+   * each with its range as the reach.
+   */
   static Scenario scenario(Path file, OpticsSpec optics) {
     return scenario(file, List.of()).withCameras(camera -> with(camera, optics));
   }
 
-  /** The reach is the camera's range, of which CamSim makes 20 m and more 16 m. */
+  /** Returns a camera with optics whose reach is its range; CamSim turns 20 m or more into 16 m. */
   private static CameraSpec with(CameraSpec camera, OpticsSpec optics) {
     double reach = camera.range() >= 20 ? 16 : camera.range();
     return camera.with(CameraSpec.OPTICS, optics.with(OpticsSpec.REACH, reach));

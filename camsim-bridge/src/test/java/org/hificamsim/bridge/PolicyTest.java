@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** How policies set the ranges of CamSim's cameras. */
+/** Tests how policies set the ranges of CamSim's cameras. */
 class PolicyTest {
   private static final List<Double> RADII = List.of(3.0, 7.5, 14.0, 24.0);
   private static final String ZOOMS = "zooms=3;7.5;14;24";
@@ -51,7 +51,7 @@ class PolicyTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"fixed:0;1;2;3;1", "random", "optimal", "one-hop", "ucb1", "qb-sarsa:k=2"})
-  void decidesLikeOwnEngineWhileCamerasAndObjectsChange(String policy) throws IOException {
+  void policyDecidesAsInHiFiCamSimWhileCamerasAndObjectsChange(String policy) throws IOException {
     CamSimRun with =
         run("with", "detection=hifi:orb-power,policy=" + policy + "," + ZOOMS + ",out=results");
     assertEquals("", with.err());
@@ -70,7 +70,7 @@ class PolicyTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"chance", "chance:alpha=0.2;memory=4;phantoms=on", "probability"})
-  void drawsSameRandomNumbersAsOwnEngine(String rule) throws IOException {
+  void detectionByChanceDrawsSameNumbersAsInHiFiCamSim(String rule) throws IOException {
     CamSimRun with =
         run(
             "with",
@@ -91,7 +91,7 @@ class PolicyTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"dense.xml", "so-that-the-policy-starts-over.scenario"})
-  void summaryRecordsWhatOptimumCouldNotProve(String name) throws IOException {
+  void summaryTellsUnprovenStepsOfOptimum(String name) throws IOException {
     Path file = Files.writeString(folder.resolve(name), dense());
     String options = "detection=geometric,policy=one-hop:nodes=0," + LENS + ",out=results";
     CamSimRun with = CamSimRun.of(folder.resolve("with"), options, file, 10);
@@ -113,8 +113,9 @@ class PolicyTest {
   }
 
   /**
-   * More cameras side by side than a search without nodes can do right; one comes later. Objects
-   * are off the borders of sectors and off cameras: CamSim's sectors do not include these.
+   * Returns a scenario with so many close cameras, one of which comes later, that a search without
+   * nodes cannot prove an optimum. No object is at a camera or on the border of a sector, since
+   * CamSim's sectors do not include these places.
    */
   private static String dense() {
     StringBuilder cameras = new StringBuilder();
@@ -165,7 +166,7 @@ class PolicyTest {
   }
 
   @Test
-  void setsRangesBeforeLookingEvenBeyondTwentyMetres() {
+  void rangesAreSetBeforeLookingEvenBeyondTwentyMetres() {
     CamSimRun with = run("with", "policy=random," + ZOOMS + ",out=results");
     Map<String, Double> radii = new HashMap<>();
     for (String row : with.rows("results/zooms.csv")) {
@@ -174,7 +175,7 @@ class PolicyTest {
     }
     Set<Double> ranges = new TreeSet<>();
     for (String row : with.rows("looks.csv")) {
-      Look look = Look.of(row);
+      Look look = Look.parse(row);
       assertEquals(radii.get(look.step() + " " + look.camera()), look.range(), row);
       ranges.add(look.range());
     }
@@ -182,11 +183,11 @@ class PolicyTest {
   }
 
   @Test
-  void defaultsToFiveLevelsUpToOwnRange() {
+  void camerasHaveFiveLevelsUpToTheirRangeByDefault() {
     CamSimRun with = CamSimRun.shared("policy=random,out=results");
     Map<String, Set<Double>> ranges =
         with.rows("looks.csv").stream()
-            .map(Look::of)
+            .map(Look::parse)
             .collect(
                 Collectors.groupingBy(
                     Look::camera, Collectors.mapping(Look::range, Collectors.toSet())));
@@ -213,14 +214,14 @@ class PolicyTest {
   }
 
   @Test
-  void explicitLevelsSuitPresentCameras() {
+  void explicitLevelsSetRangesOfPresentCameras() {
     Path scenario = CamSimRun.ROOT.resolve("scenarios/lattice-random.xml");
     CamSimRun with =
         CamSimRun.of(folder.resolve("with"), "policy=fixed:0;1;2;3;4;3;2;1;0", scenario, 20);
     assertEquals("", with.err());
     Map<String, Set<Double>> ranges =
         with.rows("looks.csv").stream()
-            .map(Look::of)
+            .map(Look::parse)
             .collect(
                 Collectors.groupingBy(
                     Look::camera, Collectors.mapping(Look::range, Collectors.toSet())));

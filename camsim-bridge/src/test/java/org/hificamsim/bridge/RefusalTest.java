@@ -15,7 +15,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What the agent does where it cannot work: one line, and CamSim is left alone, or stopped. */
+/**
+ * Tests the agent where it cannot work. It prints one line, and leaves CamSim alone or stops it.
+ */
 class RefusalTest {
   private static final String UNCHANGED = "; CamSim runs on unchanged\n";
   private static final List<String> ARGUMENTS =
@@ -32,7 +34,7 @@ class RefusalTest {
   }
 
   @Test
-  void reportsWrongOptionInOneLineAndLetsCamSimRun() {
+  void wrongOptionIsReportedInOneLineAndCamSimRunsOn() {
     CamSimRun with =
         CamSimRun.alone(folder.resolve("with"), "policy=random,zooms=5;3", CamSimRun.CROSSING, 30);
     assertEquals(without.all(), with.all());
@@ -44,7 +46,7 @@ class RefusalTest {
   }
 
   @Test
-  void reportsFolderThatCannotBeCreated() {
+  void folderThatIsFileIsReported() {
     CamSimRun with = CamSimRun.alone(folder.resolve("with"), "out=stdout", CamSimRun.CROSSING, 30);
     assertEquals(without.all(), with.all());
     assertEquals(
@@ -52,7 +54,7 @@ class RefusalTest {
   }
 
   @Test
-  void reportsWhyFolderInsideFileCannotBeCreated() {
+  void reasonIsReportedWhyFolderInsideFileCannotBeCreated() {
     CamSimRun with =
         CamSimRun.alone(folder.resolve("with"), "out=stdout/results", CamSimRun.CROSSING, 30);
     assertEquals(
@@ -83,7 +85,7 @@ class RefusalTest {
     "'class ', SimCore, OtherCore",
     "'method ', CameraController.removeVisibleObject(TraceableObject), hide"
   })
-  void namesWhatAnotherCamSimLacks(String kind, String name, String replacement)
+  void missingClassOrMethodOfCamSimIsReported(String kind, String name, String replacement)
       throws IOException {
     String text = name.replaceAll(".*\\.|\\(.*", "");
     Path classes = Variant.of(folder, text, replacement);
@@ -96,7 +98,7 @@ class RefusalTest {
   }
 
   @Test
-  void reportsClassPathWithoutCamSim() throws IOException {
+  void classPathWithoutCamSimIsReported() throws IOException {
     Path classes =
         Variant.compile(
             folder,
@@ -137,7 +139,7 @@ class RefusalTest {
     int steps = with.rows("results/steps.csv").size();
     assertTrue(steps > 1 && steps < 10, steps + " steps before the failure");
     assertEquals(without.rows("output.csv").size(), with.rows("output.csv").size());
-    List<Look> looks = with.rows("looks.csv").stream().map(Look::of).toList();
+    List<Look> looks = with.rows("looks.csv").stream().map(Look::parse).toList();
     assertTrue(looks.stream().anyMatch(look -> look.camera().equals("A") && look.range() == 4));
     assertTrue(
         looks.stream()
@@ -154,7 +156,7 @@ class RefusalTest {
     assertTrue(Files.exists(with.folder().resolve("results/steps.csv")));
   }
 
-  /** A CamSim in which the eleventh change of a range fails. */
+  /** Compiles a CamSim in which the eleventh change of a range fails. */
   private Path failingOnce() throws IOException {
     return Variant.of(
         folder,

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** When runs begin and end, and where their files go. */
+/** Tests when runs begin and end, and where their files are. */
 class RunsTest {
   private static final Path OTHER = CamSimRun.ROOT.resolve("scenarios/tutorial-camsim.xml");
 
@@ -126,7 +126,7 @@ public class Threads {
   @Test
   void coresSteppedInTurnHaveSeparateRuns() throws IOException {
     CamSimRun both =
-        stepped(
+        runStatements(
             "policy=sarsa,out=results",
             """
             for (int i = 0; i < 100; i++) {
@@ -150,7 +150,7 @@ public class Threads {
   @Test
   void coreContinuedAfterItsEndZoomsWithinItsOwnRanges() throws IOException {
     CamSimRun on =
-        stepped(
+        runStatements(
             "policy=zoom-in,out=results",
             """
             for (int end = 0; end < 3; end++) {
@@ -163,7 +163,7 @@ public class Threads {
     assertEquals(
         Set.of(4.0),
         on.rows("first/looks.csv").stream()
-            .map(Look::of)
+            .map(Look::parse)
             .filter(look -> look.camera().equals("A"))
             .map(Look::range)
             .collect(Collectors.toSet()));
@@ -172,7 +172,7 @@ public class Threads {
   @Test
   void runNumbersHaveNoGaps() throws IOException {
     CamSimRun on =
-        stepped(
+        runStatements(
             "policy=random,seed=7,out=results",
             """
             first.update();
@@ -189,7 +189,7 @@ public class Threads {
 
   @Test
   void unexpectedCameraRestartsPolicy() throws IOException {
-    Path file = folder.resolve("hidden.scenario"); // not told by its name to be a scenario
+    Path file = folder.resolve("hidden.scenario"); // the bridge expects names that end in .xml
     Files.copy(CamSimRun.CROSSING, file);
     CamSimRun run =
         CamSimRun.of(folder.resolve("run"), "policy=qb-sarsa:k=1,out=results", file, 100);
@@ -207,7 +207,7 @@ public class Threads {
   }
 
   @Test
-  void findsScenarioBehindLongClassPath() {
+  void scenarioIsFoundBehindLongClassPath() {
     List<Path> classPath = new ArrayList<>(Collections.nCopies(500, Path.of("libraries/none.jar")));
     classPath.add(CamSimRun.DOUBLES);
     CamSimRun run =
@@ -222,7 +222,7 @@ public class Threads {
   }
 
   /** Runs statements that use two cores, {@code first} and {@code second}. */
-  private CamSimRun stepped(String options, String statements) throws IOException {
+  private CamSimRun runStatements(String options, String statements) throws IOException {
     String main =
         """
         import epics.camsim.core.SimCore;

@@ -41,12 +41,12 @@ class ShapeTest {
 
   @ParameterizedTest
   @MethodSource
-  void namesMissingOrDifferentMembers(Map<String, String> replacements, Set<String> missing)
+  void missingOrDifferentMembersAreNamed(Map<String, String> replacements, Set<String> missing)
       throws IOException {
     assertEquals(missing, Set.copyOf(missing(ALL, Variant.of(folder, replacements))));
   }
 
-  static Stream<Arguments> namesMissingOrDifferentMembers() {
+  static Stream<Arguments> missingOrDifferentMembersAreNamed() {
     return Stream.of(
         arguments(Map.of("double update_visiblity", "Double update_visiblity"), Set.of(LOOK)),
         arguments(Map.of("SimCore", "OtherCore"), Set.of("class SimCore")),
@@ -90,7 +90,7 @@ class ShapeTest {
     assertEquals(List.of(CHANGE), missing(ALL, classes));
   }
 
-  /** What is missing, without the package's name. */
+  /** Returns the names of what is missing, without the package. */
   private static List<String> missing(Set<Use> uses, Path classes) throws IOException {
     URL[] path = {classes.toUri().toURL()};
     try (URLClassLoader loader = new URLClassLoader(path, null)) {

@@ -14,7 +14,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Recorded tracks inside CamSim: objects come and go by events, and the bridge moves them. */
+/**
+ * Tests recorded tracks in CamSim, where objects come and go by events and the bridge moves them.
+ */
 class TracksTest {
   private static final int STEPS = 30;
   private static final String CAMERAS =
@@ -54,7 +56,7 @@ class TracksTest {
 
   @TempDir Path folder;
 
-  /** All files of a record are those of our own simulation. */
+  /** All result files are those of a run in HiFi-CamSim. */
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -106,7 +108,7 @@ class TracksTest {
   }
 
   @Test
-  void reportsCamSimThatMovesTrackedObjectsItself() throws IOException {
+  void camSimThatSeesObjectsOffTheirTracksIsReported() throws IOException {
     Path classes =
         Variant.of(
             folder.resolve("variant"),
@@ -126,20 +128,20 @@ class TracksTest {
   }
 
   @Test
-  void rejectsScenarioWithoutTracks() throws IOException {
+  void scenarioWithoutTracksIsRefused() throws IOException {
     Path plain = forCamSim();
     CamSimRun run = CamSimRun.of(folder.resolve("run"), "tracks=" + plain, plain, 3);
     assertTrue(run.err().contains("which has none, expected a scenario with <tracks>"), run.err());
   }
 
   @Test
-  void rejectsScenarioWithHeights() throws IOException {
+  void scenarioWithHeightsIsRefused() throws IOException {
     Path file = tracked();
     String text = Files.readString(file);
     Files.writeString(file, text.replace(" step='0.5'", " step='0.5' seen='head'"));
     CamSimRun run = CamSimRun.of(folder.resolve("run"), "tracks=" + file, forCamSim(), 3);
-    String told = "which has heights, expected a flat scenario: CamSim has none";
-    assertTrue(run.err().contains(told), run.err());
+    String problem = "which has heights, expected a flat scenario: CamSim has none";
+    assertTrue(run.err().contains(problem), run.err());
   }
 
   private Path tracked() throws IOException {

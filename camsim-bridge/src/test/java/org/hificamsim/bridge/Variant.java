@@ -13,18 +13,21 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 
-/** Sources compiled for a test: another version of CamSim, or what else is on its class path. */
+/** Compiles sources for a test: another version of CamSim, or other classes on its class path. */
 final class Variant {
   private static final Path SOURCES = CamSimRun.ROOT.resolve("camsim-bridge/src/doubles/java");
 
   private Variant() {}
 
-  /** The doubles with a text replaced, in names of files too, as a folder of classes. */
+  /**
+   * Compiles the doubles with a text replaced, also in the names of files, and returns the folder
+   * of the classes.
+   */
   static Path of(Path folder, String text, String replacement) throws IOException {
     return of(folder, Map.of(text, replacement));
   }
 
-  /** The same with several texts replaced. */
+  /** Does the same with several texts replaced. */
   static Path of(Path folder, Map<String, String> replacements) throws IOException {
     List<String> files = new ArrayList<>();
     Set<String> missing = new TreeSet<>(replacements.keySet());
@@ -33,18 +36,18 @@ final class Variant {
         String content = Files.readString(source);
         String name = SOURCES.relativize(source).toString();
         missing.removeIf(content::contains);
-        for (Map.Entry<String, String> one : replacements.entrySet()) {
-          content = content.replace(one.getKey(), one.getValue());
-          name = name.replace(one.getKey(), one.getValue());
+        for (Map.Entry<String, String> replacement : replacements.entrySet()) {
+          content = content.replace(replacement.getKey(), replacement.getValue());
+          name = name.replace(replacement.getKey(), replacement.getValue());
         }
         files.add(write(folder, name, content));
       }
     }
-    assertEquals(Set.of(), missing, "what the doubles do not have");
+    assertEquals(Set.of(), missing, "texts that the doubles do not have");
     return compile(folder, files);
   }
 
-  /** One source, which may use the doubles, as a folder of classes. */
+  /** Compiles a source that may use the doubles, and returns the folder of the classes. */
   static Path compile(Path folder, String name, String source) throws IOException {
     return compile(folder, List.of(write(folder, name, source)));
   }

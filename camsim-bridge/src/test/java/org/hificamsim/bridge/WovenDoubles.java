@@ -17,9 +17,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.bridge.agent.Hooks;
 
-/** The doubles of CamSim with the bridge woven in, in this JVM and not in one of their own. */
+/** Runs the doubles of CamSim, with the bridge woven in, in the JVM of the tests. */
 final class WovenDoubles extends URLClassLoader {
-  private static final String COMMAND = "sun.java.command"; // where the bridge finds the scenario
+  /** The system property in which the bridge finds the scenario. */
+  private static final String COMMAND = "sun.java.command";
+
   private final List<ClassFileTransformer> agents = new ArrayList<>();
 
   private WovenDoubles(String options) throws IOException {
@@ -53,22 +55,27 @@ final class WovenDoubles extends URLClassLoader {
     }
   }
 
-  /** Runs a scenario for some steps, with seed 0; the agent's folder {@code results} is there. */
+  /**
+   * Runs a scenario for some steps, with seed 0.
+   *
+   * @param folder where CamSim and the agent write their files
+   */
   static CamSimRun run(Path folder, String options, Path scenario, int steps) {
     PrintStream out = System.out;
     PrintStream err = System.err;
     String command = System.getProperty(COMMAND);
-    ByteArrayOutputStream said = new ByteArrayOutputStream();
-    ByteArrayOutputStream complained = new ByteArrayOutputStream();
-    String here = options == null ? null : options.replace("out=", "out=" + folder + "/");
-    System.setOut(new PrintStream(said, true, StandardCharsets.UTF_8));
-    System.setErr(new PrintStream(complained, true, StandardCharsets.UTF_8));
+    ByteArrayOutputStream newOut = new ByteArrayOutputStream();
+    ByteArrayOutputStream newErr = new ByteArrayOutputStream();
+    String optionsWithFolder =
+        options == null ? null : options.replace("out=", "out=" + folder + "/");
+    System.setOut(new PrintStream(newOut, true, StandardCharsets.UTF_8));
+    System.setErr(new PrintStream(newErr, true, StandardCharsets.UTF_8));
     System.setProperty(COMMAND, "epics.camwin.Main " + scenario);
     Object arguments =
         new String[] {"-t", "" + steps, "-o", "" + folder.resolve("output.csv"), "" + scenario};
     try {
       Files.createDirectories(folder);
-      try (WovenDoubles doubles = new WovenDoubles(here)) {
+      try (WovenDoubles doubles = new WovenDoubles(optionsWithFolder)) {
         doubles
             .loadClass("epics.camwin.Main")
             .getMethod("main", String[].class)
@@ -83,8 +90,8 @@ final class WovenDoubles extends URLClassLoader {
     }
     return new CamSimRun(
         0,
-        said.toString(StandardCharsets.UTF_8),
-        complained.toString(StandardCharsets.UTF_8),
+        newOut.toString(StandardCharsets.UTF_8),
+        newErr.toString(StandardCharsets.UTF_8),
         folder);
   }
 }

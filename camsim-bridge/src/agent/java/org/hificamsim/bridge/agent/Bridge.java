@@ -1,14 +1,14 @@
 package org.hificamsim.bridge.agent;
 
-/** The calls from CamSim's woven methods, through {@link Hooks}. */
+/** Receives the calls that are woven into CamSim's methods, by way of {@link Hooks}. */
 public interface Bridge {
-  /** {@code SimCore.update()} begins. */
+  /** Called when {@code SimCore.update()} begins. */
   void stepBegins(Object core);
 
-  /** {@code SimCore.update()} has returned. */
+  /** Called when {@code SimCore.update()} has returned. */
   void stepEnds(Object core);
 
-  /** {@code SimCore.close_files()} has returned. */
+  /** Called when {@code SimCore.close_files()} has returned. */
   void runEnds(Object core);
 
   /**

@@ -5,8 +5,8 @@ import java.net.URL;
 import java.util.function.BiConsumer;
 
 /**
- * The Java agent {@code -javaagent:hificamsim-bridge.jar=OPTIONS}. Compiled for Java 8, so that an
- * older JVM gets one line and not a stack trace.
+ * Starts the bridge: the Java agent {@code -javaagent:hificamsim-bridge.jar=OPTIONS}. It is
+ * compiled for Java 8, so that an older JVM prints one line and not a stack trace.
  */
 public final class BridgeAgent {
   private static final String INSTALLER = "org.hificamsim.bridge.Installer";

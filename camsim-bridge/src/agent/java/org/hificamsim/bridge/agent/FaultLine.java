@@ -1,8 +1,8 @@
 package org.hificamsim.bridge.agent;
 
-/** Reports problems of the bridge: one line each on standard error. */
+/** Reports problems of the bridge, each in one line on standard error. */
 public final class FaultLine {
-  private static final int STOPPED = 2;
+  private static final int STOPPED_EXIT_CODE = 2;
 
   private FaultLine() {}
 
@@ -15,7 +15,7 @@ public final class FaultLine {
     String outcome = strict ? "stopped, as strict=true asks" : "CamSim runs on unchanged";
     note(problem + "; " + outcome);
     if (strict) {
-      System.exit(STOPPED);
+      System.exit(STOPPED_EXIT_CODE);
     }
   }
 

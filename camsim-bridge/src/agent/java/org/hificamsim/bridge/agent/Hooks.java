@@ -1,7 +1,7 @@
 package org.hificamsim.bridge.agent;
 
 /**
- * The calls that are woven into CamSim's classes. They go to the one {@link Bridge} of this JVM,
+ * Passes the calls that are woven into CamSim's classes to the one {@link Bridge} of this JVM,
  * whose class CamSim does not see.
  */
 public final class Hooks {
@@ -39,7 +39,7 @@ public final class Hooks {
     bridge.looked(camera, object, confidence);
   }
 
-  /** See {@link Bridge#place}. */
+  /** See {@link Bridge#coordinate}. */
   public static double coordinate(Object object, boolean isY, double camSimValue) {
     return bridge.coordinate(object, isY, camSimValue);
   }

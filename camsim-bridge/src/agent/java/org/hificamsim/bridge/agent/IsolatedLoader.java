@@ -16,7 +16,7 @@ final class IsolatedLoader extends URLClassLoader {
    * @param jar the agent's jar
    */
   IsolatedLoader(URL jar) throws MalformedURLException {
-    // The parent of the system class loader has the JDK's classes and nothing of the class path.
+    // The parent of the system class loader has the classes of the JDK, but none of the class path.
     super(
         new URL[] {new URL("jar:" + jar + "!/isolated/")},
         ClassLoader.getSystemClassLoader().getParent());

@@ -3,11 +3,11 @@ package org.hificamsim.bridge.camsim;
 import net.bytebuddy.asm.Advice;
 import org.hificamsim.bridge.agent.Hooks;
 
-/** The code woven into CamSim's methods; each part calls a hook. */
+/** The pieces of code that are woven into CamSim's methods; each calls a hook. */
 final class Advices {
   private Advices() {}
 
-  /** Woven into {@code SimCore.update()}; a step that throws an exception does not end. */
+  /** Woven into {@code SimCore.update()}. A step that throws an exception does not end. */
   static final class Step {
     private Step() {}
 
@@ -33,7 +33,7 @@ final class Advices {
   }
 
   /**
-   * Woven into {@code CameraController.update_visiblity(TraceableObject)}: CamSim's own code runs
+   * Woven into {@code CameraController.update_visiblity(TraceableObject)}. CamSim's own code runs
    * only if the bridge does not look in its place.
    */
   static final class Look {

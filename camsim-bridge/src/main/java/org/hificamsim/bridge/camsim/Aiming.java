@@ -4,14 +4,14 @@ import java.util.List;
 import org.hificamsim.core.InputException;
 
 /**
- * Aims CamSim's cameras. Finds out whether {@code change} takes degrees or radians by aiming the
- * first camera in each unit until it has the wanted aim.
+ * Aims CamSim's cameras. Since versions of CamSim differ in whether {@code change} takes degrees or
+ * radians, it tries both with the first camera, and keeps the unit that gives the wanted aim.
  */
 public final class Aiming {
   private final CamSim camsim;
   private List<AngleUnit> units = List.of(AngleUnit.values());
 
-  /** Creates an aiming for the cameras of one CamSim. */
+  /** Prepares to aim the cameras of one CamSim. */
   public Aiming(CamSim camsim) {
     this.camsim = camsim;
   }

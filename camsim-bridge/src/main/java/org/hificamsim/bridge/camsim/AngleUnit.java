@@ -1,6 +1,9 @@
 package org.hificamsim.bridge.camsim;
 
-/** The units in which a method of CamSim may take angles; it stores radians (behaviour 2). */
+/**
+ * The units in which a method of CamSim may take angles. Whatever it takes, CamSim stores radians
+ * (behaviour 2).
+ */
 enum AngleUnit {
   DEGREES(360) {
     @Override
@@ -35,11 +38,15 @@ enum AngleUnit {
   }
 
   /**
-   * Returns the angle in this unit that converts back to exactly these radians, if there is one.
+   * Converts radians to this unit. The result converts back to exactly the same radians, if there
+   * is such a number.
    */
   abstract double of(double radians);
 
-  /** Returns a heading in this unit, a full turn more if it equals {@link CamSim#UNCHANGED}. */
+  /**
+   * Converts a heading to this unit. A result that would equal {@link CamSim#UNCHANGED} is a full
+   * turn more.
+   */
   double heading(double radians) {
     double heading = of(radians);
     return heading == CamSim.UNCHANGED ? heading + fullTurn : heading;

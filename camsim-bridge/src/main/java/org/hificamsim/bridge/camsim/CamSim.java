@@ -11,8 +11,8 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
- * Calls methods of CamSim's cameras and objects, public or not. Cameras, objects and cores are
- * instances of CamSim's classes, which are known here only as {@link Object}.
+ * Calls methods of CamSim's cameras and objects, even if they are not public. Cameras, objects and
+ * cores are instances of CamSim's classes, which are known here only as {@link Object}.
  *
  * <p>Exceptions of CamSim are wrapped in an {@link IllegalStateException}.
  */
@@ -23,7 +23,11 @@ public final class CamSim {
   private final ClassLoader loader;
   private final Map<CamSimMethod, MethodHandle> handles = new EnumMap<>(CamSimMethod.class);
 
-  /** Binds the methods of the CamSim that {@code part}, a core, camera or object, belongs to. */
+  /**
+   * Finds the methods of a CamSim.
+   *
+   * @param part a core, camera or object of this CamSim
+   */
   public CamSim(Object part) {
     loader = part.getClass().getClassLoader();
     for (CamSimMethod method : CamSimMethod.values()) {
@@ -31,7 +35,7 @@ public final class CamSim {
     }
   }
 
-  /** Binds a method; skips one that this CamSim lacks, since then no option needs it. */
+  /** Finds a method, which is missing only if no option needs it. */
   private void bind(CamSimMethod method) {
     try {
       for (Class<?> owner = Class.forName(method.type.name, false, loader);

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * The instance methods of CamSim that the bridge calls or changes, by CamSim's own names, one of
- * which is misspelt.
+ * The instance methods of CamSim that the bridge calls or changes. Their names are CamSim's own,
+ * one of which is misspelt.
  */
 enum CamSimMethod {
   UPDATE(Type.CORE, "update", void.class, Use.READ, Advices.Step.class),
@@ -76,10 +76,11 @@ enum CamSimMethod {
   }
 
   /**
-   * @param returned a primitive type, or {@code void} for any and {@code Object} for any other
-   * @param advice woven into it, so that the class itself has to declare it; null for one that is
-   *     only called
-   * @param parameters full names of the parameters' types
+   * @param returned the type of the result: {@code void} stands for any type, and {@code Object}
+   *     for any but void
+   * @param advice the code that is woven into the method, which the class itself then has to
+   *     declare; null for a method that is only called
+   * @param parameters the full names of the parameters' types
    */
   CamSimMethod(
       Type type, String method, Class<?> returned, Use use, Class<?> advice, String... parameters) {
@@ -91,7 +92,7 @@ enum CamSimMethod {
     this.parameters = List.of(parameters);
   }
 
-  /** Whether a value of the type of this name may be returned. */
+  /** Whether a method with a result of this type is acceptable. */
   boolean returns(String typeName) {
     return returned == void.class
         || (returned == Object.class
@@ -100,7 +101,8 @@ enum CamSimMethod {
   }
 
   /**
-   * The type of a handle to the method: its owner first, and every type but numbers as an object.
+   * Returns the type of a handle to the method. Its first parameter is the owner; all types but
+   * numbers are objects.
    */
   MethodType handleType() {
     List<Class<?>> types =
@@ -110,7 +112,7 @@ enum CamSimMethod {
     return MethodType.methodType(returned, types).insertParameterTypes(0, Object.class);
   }
 
-  /** The method as error lines name it. */
+  /** Returns the name and types of the method, as messages show them. */
   String signature() {
     return type.name
         + "."

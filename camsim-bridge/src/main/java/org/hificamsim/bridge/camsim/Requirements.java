@@ -15,7 +15,7 @@ public final class Requirements {
   private Requirements() {}
 
   /**
-   * Lists the classes and methods that a class path lacks or has with other signatures.
+   * Returns the classes and methods that are missing from a class path, or have other signatures.
    *
    * @return empty if nothing is missing
    */

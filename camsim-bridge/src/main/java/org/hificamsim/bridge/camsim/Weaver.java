@@ -14,7 +14,7 @@ import net.bytebuddy.dynamic.ClassFileLocator;
 import net.bytebuddy.dynamic.DynamicType;
 import net.bytebuddy.pool.TypePool;
 
-/** Weaves the hooks into CamSim's classes when the JVM loads them. */
+/** Inserts the hooks into CamSim's classes when the JVM loads them. */
 public final class Weaver implements ClassFileTransformer {
   private final List<CamSimMethod> woven;
   private final Consumer<Throwable> onFailure;

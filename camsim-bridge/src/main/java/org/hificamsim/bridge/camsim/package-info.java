@@ -1,2 +1,2 @@
-/** CamSim as the bridge sees it: the names that must be there, the hooks, the calls. */
+/** Connects the bridge with CamSim: checks its methods, weaves hooks into them, and calls them. */
 package org.hificamsim.bridge.camsim;

@@ -18,7 +18,7 @@ import org.hificamsim.core.scenario.track.Track;
 import org.hificamsim.runs.output.Detail;
 
 /**
- * The settings of the bridge. Without detection, policy, tracks and out it has nothing to do.
+ * The settings of the bridge. It has nothing to do if detection, policy, tracks and out are empty.
  *
  * @param detection decides what cameras see; empty for CamSim's own rule
  * @param size the edge of the bounding box of every target, metres, above 0
@@ -71,12 +71,12 @@ public record BridgeSettings(
   }
 
   /** The given detection, or CamSim's own. */
-  Detection seen() {
+  Detection detectionOrCamSim() {
     return detection.orElseGet(() -> Detection.of(new CamSimVisibilityDetection()));
   }
 
   /** The views that cameras may have. */
-  CameraViews views() {
+  CameraViews cameraViews() {
     return new CameraViews(policy.isPresent(), zooms, optics);
   }
 

@@ -8,12 +8,12 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.world.ViewSet;
 
 /**
- * The views of CamSim's cameras.
+ * Computes the views of CamSim's cameras.
  *
- * <p>A camera steered by a policy has the views of the given optics, or those with the given radii,
- * or {@value #LEVELS} levels of its own, evenly spaced from a third of its range to its range, as
- * in the scenarios of the thesis (2.5 to 7.5 m). Any other camera has one level, its range; given
- * radii then only limit the zoom of its lens.
+ * <p>A camera that a policy steers has the views of the given optics; without optics, those with
+ * the given radii; without radii, {@value #LEVELS} levels of its own. These are evenly spaced from
+ * a third of its range to its range, as in the scenarios of the thesis (2.5 to 7.5 m). Any other
+ * camera has one level, its range; given radii then only limit the zoom of its lens.
  *
  * @param steered whether a policy chooses among the views
  * @param radii metres, rising; may be empty

@@ -14,8 +14,8 @@ import org.hificamsim.core.Place;
 import org.hificamsim.core.file.Io;
 
 /**
- * The running bridge: finds the run that a call from CamSim belongs to, and shields CamSim from
- * failures. The first failure is reported in one line; after it CamSim runs on its own.
+ * Passes each call from CamSim to the run that it belongs to, and shields CamSim from failures. The
+ * first failure is reported in one line; after it, CamSim runs on its own.
  *
  * <p>A run begins with the first step of a {@code SimCore} and ends with its {@code close_files()},
  * or with the JVM. Cores that step in turn or in several threads have separate runs.
@@ -24,7 +24,7 @@ public final class LiveBridge implements Bridge {
   private final BridgeSettings settings;
   private final boolean strict;
   private final List<Run> runs = new ArrayList<>();
-  private final List<Ended> ended = new ArrayList<>();
+  private final List<EndedRun> endedRuns = new ArrayList<>();
 
   @SuppressWarnings("ThreadLocalUsage") // a JVM has one bridge
   private final ThreadLocal<Run> current = new ThreadLocal<>();
@@ -33,7 +33,7 @@ public final class LiveBridge implements Bridge {
   private volatile boolean off;
 
   /** A core whose run has ended, and that run's number. */
-  private record Ended(WeakReference<Object> core, int number) {}
+  private record EndedRun(WeakReference<Object> core, int number) {}
 
   /**
    * @param strict whether the JVM stops at the first failure
@@ -134,7 +134,7 @@ public final class LiveBridge implements Bridge {
     }
   }
 
-  /** Asks the current run; returns {@code fallback} if there is none, or it fails. */
+  /** Asks the current run; returns {@code fallback} if there is no run, or the run fails. */
   private double guarded(double fallback, ToDoubleFunction<Run> question) {
     Run run = current.get();
     if (off || run == null) {
@@ -162,10 +162,12 @@ public final class LiveBridge implements Bridge {
 
   /** Begins a run. A core that continues after its end is steered, but writes no more files. */
   private Run begin(Object core) {
-    Optional<Ended> earlier = ended.stream().filter(end -> end.core().refersTo(core)).findFirst();
+    Optional<EndedRun> earlier =
+        endedRuns.stream().filter(end -> end.core().refersTo(core)).findFirst();
     BridgeSettings runSettings = earlier.isPresent() ? settings.with(Optional.empty()) : settings;
     try {
-      Run run = new Run(runSettings, earlier.map(Ended::number).orElseGet(() -> runCount++), core);
+      Run run =
+          new Run(runSettings, earlier.map(EndedRun::number).orElseGet(() -> runCount++), core);
       runs.add(run);
       return run;
     } catch (IOException e) {
@@ -183,8 +185,8 @@ public final class LiveBridge implements Bridge {
   private void end(Run run) {
     synchronized (this) {
       runs.remove(run);
-      ended.removeIf(end -> end.core().refersTo(null) || end.core().refersTo(run.core()));
-      ended.add(new Ended(new WeakReference<>(run.core()), run.number()));
+      endedRuns.removeIf(end -> end.core().refersTo(null) || end.core().refersTo(run.core()));
+      endedRuns.add(new EndedRun(new WeakReference<>(run.core()), run.number()));
     }
     Io.run(() -> run.end());
   }

@@ -10,10 +10,10 @@ import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.world.ViewSet;
 
 /**
- * A camera of CamSim, as of the last {@link #refresh}, with its views.
+ * A camera of CamSim with its views, as it was at the last {@link #refresh}.
  *
- * <p>Its mounted heading and its own opening angle are the current ones of CamSim, unless those are
- * the result of {@link #turnTo}: then the former values count.
+ * <p>Its mounted heading and its own opening angle are those that CamSim has now, unless {@link
+ * #turnTo} caused these: then the values before count.
  */
 final class LiveCamera {
   private static final String UNNAMED = "";
@@ -141,12 +141,12 @@ final class LiveCamera {
     }
   }
 
-  /** The position and the mounted heading of the camera. */
+  /** The position of the camera and its mounted heading. */
   Pose pose() {
     return mountPose;
   }
 
-  /** The position and the current heading of the camera. */
+  /** The position of the camera and the heading of its present view. */
   Pose viewPose() {
     return mountPose.turned(views.pan(view));
   }

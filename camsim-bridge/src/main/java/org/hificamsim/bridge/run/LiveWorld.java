@@ -78,7 +78,7 @@ final class LiveWorld implements Cooperation {
     return visibility;
   }
 
-  /** Updates cameras and objects from CamSim, but not what was seen. */
+  /** Reads cameras and objects from CamSim again, but not what cameras see. */
   void refresh() {
     cameras.update(
         camsim.cameras(core), handle -> new LiveCamera(handle, camsim.range(handle), cameraViews));
@@ -176,7 +176,7 @@ final class LiveWorld implements Cooperation {
   }
 
   /** Turns CamSim's cameras to the chosen views. */
-  void turn() {
+  void turnCameras() {
     for (int camera = 0; camera < cameras.all().size(); camera++) {
       if (cameras.get(camera).online()) {
         cameras.get(camera).turnTo(world.cameras().view(camera), camsim, aiming);
@@ -185,12 +185,12 @@ final class LiveWorld implements Cooperation {
   }
 
   /** Restores the aims that all cameras had before any policy. */
-  void restore() {
+  void restoreCameras() {
     cameras.all().forEach(camera -> camera.restore(camsim, aiming));
   }
 
-  /** Clears what was seen, before the cameras look again. */
-  void forget() {
+  /** Forgets what cameras saw, before they look again. */
+  void forgetSightings() {
     cameras.all().forEach(camera -> camera.seen().clear());
   }
 

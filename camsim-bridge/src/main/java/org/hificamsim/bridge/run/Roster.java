@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * The cameras or objects of CamSim, numbered in the order in which they first appeared. They are
- * distinguished by identity, since their hash codes change with their state.
+ * Numbers the cameras or objects of CamSim in the order in which they first appear. It tells them
+ * apart by identity, since their hash codes change with their state.
  *
  * @param <T> our representation of a camera or object
  */
@@ -21,16 +21,16 @@ final class Roster<T> {
   /**
    * Updates which cameras or objects are present.
    *
-   * @param newcomer creates the representation of a new camera or object
+   * @param creator creates the representation of a new camera or object
    */
-  void update(Collection<?> handles, Function<Object, T> newcomer) {
+  void update(Collection<?> handles, Function<Object, T> creator) {
     present.clear();
     for (Object handle : handles) {
       int number = number(handle);
       if (number < 0) {
         number = all.size();
         numbers.put(handle, number);
-        all.add(newcomer.apply(handle));
+        all.add(creator.apply(handle));
       }
       present.set(number);
     }

@@ -25,9 +25,9 @@ import org.hificamsim.runs.output.SingleRun;
 /**
  * One run of CamSim, from the first step of a {@code SimCore} to its end.
  *
- * <p>CamSim's step is: events, move, cameras look, auctions. The policy decides, and cameras are
- * turned, when the first camera is about to look; the policy learns, and coverage is measured, when
- * the step is over.
+ * <p>In a step of CamSim, events happen, objects move, cameras look, and auctions are held. The
+ * policy decides, and cameras are turned, when the first camera is about to look. The policy
+ * learns, and coverage is measured, when the step is over.
  *
  * <p>Policies allocate their tables when they begin. If events add more cameras or targets than
  * were expected then, a new policy begins and learns from scratch, which is reported.
@@ -74,9 +74,9 @@ final class Run {
         new LiveWorld(
             camsim,
             core,
-            Visibility.asInCamSim(settings.seen(), seed()),
+            Visibility.asInCamSim(settings.detectionOrCamSim(), seed()),
             settings.size(),
-            settings.views());
+            settings.cameraViews());
     this.tracked = settings.tracks().map(tracks -> new TrackedObjects(tracks, camsim));
     this.policy = newPolicy();
     this.files =
@@ -85,7 +85,7 @@ final class Run {
                 new SingleRun(
                     folder(settings.out().get(), number),
                     number,
-                    settings.seen(),
+                    settings.detectionOrCamSim(),
                     settings.detail(),
                     settings.following()))
             : Optional.empty();
@@ -164,13 +164,13 @@ final class Run {
   /** Restores the aims that the cameras would have without a policy. */
   void releaseCamSim() {
     if (settings.policy().isPresent()) {
-      live.restore();
+      live.restoreCameras();
     }
   }
 
   private void prepare() {
     if (!prepared) {
-      // Before the calls to CamSim, which may call back.
+      // set before the calls to CamSim, which may call back
       prepared = true;
       readAndSteer();
     }
@@ -188,9 +188,9 @@ final class Run {
     }
     simulation.phases().runUntil(StepPhase.OBSERVE);
     if (settings.policy().isPresent()) {
-      live.turn();
+      live.turnCameras();
     }
-    live.forget();
+    live.forgetSightings();
   }
 
   private void begin() {
@@ -206,7 +206,11 @@ final class Run {
         };
     simulation =
         new Simulation(
-                world, settings.seen(), new Behaviour(policy, live), seed(), List.of(listener))
+                world,
+                settings.detectionOrCamSim(),
+                new Behaviour(policy, live),
+                seed(),
+                List.of(listener))
             .continuingAt(step);
   }
 
@@ -245,7 +249,7 @@ final class Run {
   private RunPlan plan(int steps) {
     return new RunPlan(
         describedScenario(),
-        settings.seen(),
+        settings.detectionOrCamSim(),
         settings.policy().map(BridgeSettings.Policy::spec).orElse(NO_POLICY),
         steps,
         seed(),

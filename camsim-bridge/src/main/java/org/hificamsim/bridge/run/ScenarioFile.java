@@ -19,7 +19,7 @@ import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
 
 /**
- * The parts of CamSim's scenario file that the bridge needs: CamSim's cores know neither the name
+ * The parts of CamSim's scenario file that the bridge needs. CamSim's cores know neither the name
  * of their scenario nor the cameras and objects that will be added.
  *
  * @param name the name of the file without its extension

@@ -8,9 +8,9 @@ import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.scenario.track.Track;
 import org.hificamsim.core.scenario.track.TrackWalk;
 
-/** The positions of CamSim's objects on their tracks. */
+/** Moves CamSim's objects along their tracks. */
 final class TrackedObjects {
-  /** An object is on its track if it is no farther off in x or y, metres. */
+  /** The greatest distance in x or y of an object that is on its track, metres. */
   private static final double TOLERANCE = 1e-6;
 
   /** The tracks by the features of their object. */
@@ -54,7 +54,8 @@ final class TrackedObjects {
   }
 
   /**
-   * Returns a coordinate of an object on its track, or the one that CamSim has if it has no track.
+   * Returns a coordinate of an object on its track. An object without a track keeps the one that
+   * CamSim has.
    *
    * @param isY whether to return y, else x
    * @param camSimValue the coordinate that CamSim has

@@ -1,2 +1,2 @@
-/** A run of CamSim under the bridge: its live network, who looks, who zooms, what is written. */
+/** Runs of CamSim under the bridge: cameras look and zoom by our rules, and results are written. */
 package org.hificamsim.bridge.run;

@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Angles on their way into CamSim. */
+/** Tests the conversion of angles for CamSim. */
 class AngleUnitTest {
   @Test
-  void convertsToDegreesAndBackExactly() {
+  void radiansOfAnyDegreesConvertBackExactly() {
     SplittableRandom random = new SplittableRandom(1);
     for (int i = 0; i < 100_000; i++) {
       double degrees = i < 3600 ? i / 10.0 - 180 : random.nextDouble(-1000, 1000);
@@ -19,7 +19,7 @@ class AngleUnitTest {
   }
 
   @Test
-  void roundsOtherAnglesOnce() {
+  void anyRadiansConvertBackWithinTwoRoundings() {
     SplittableRandom random = new SplittableRandom(2);
     for (int i = 0; i < 100_000; i++) {
       double radians = random.nextDouble(-20, 20);
@@ -29,7 +29,7 @@ class AngleUnitTest {
   }
 
   @Test
-  void neverSendsHeadingThatMeansUnchanged() {
+  void headingIsNeverValueThatMeansUnchanged() {
     double degrees = AngleUnit.DEGREES.heading(Math.toRadians(-1));
     assertNotEquals(CamSim.UNCHANGED, degrees);
     assertEquals(359, degrees, 1e-9);

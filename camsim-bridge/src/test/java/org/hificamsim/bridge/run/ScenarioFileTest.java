@@ -31,21 +31,22 @@ class ScenarioFileTest {
   @TempDir Path folder;
 
   @Test
-  void countsPresentAndFutureObjects() throws IOException {
-    ScenarioFile read = read(TEXT);
+  void camerasAndObjectsOfEventsAreCounted() throws IOException {
+    ScenarioFile scenario = read(TEXT);
     assertEquals(
-        new ScenarioFile("some", List.of("A", "B"), 3, 3, Map.of("channel", "loss=0.2")), read);
+        new ScenarioFile("some", List.of("A", "B"), 3, 3, Map.of("channel", "loss=0.2")), scenario);
   }
 
   @Test
-  void findsScenarioWithCamerasOfCamSim() throws IOException {
-    ScenarioFile read = read(TEXT);
-    assertTrue(read.mayStartWith(List.of("A", "B")));
-    assertTrue(read.mayStartWith(List.of("A", "B", "C")), "added by an event of the first step");
-    assertTrue(read.mayStartWith(List.of("", "B")), "a camera that is offline has no name");
-    assertTrue(!read.mayStartWith(List.of("A")));
-    assertTrue(!read.mayStartWith(List.of("A", "X")));
-    assertTrue(!read.mayStartWith(List.of("A", "B", "C", "D")));
+  void scenarioOfRunIsToldByNamesOfItsCameras() throws IOException {
+    ScenarioFile scenario = read(TEXT);
+    assertTrue(scenario.mayStartWith(List.of("A", "B")));
+    assertTrue(
+        scenario.mayStartWith(List.of("A", "B", "C")), "added by an event of the first step");
+    assertTrue(scenario.mayStartWith(List.of("", "B")), "a camera that is offline has no name");
+    assertTrue(!scenario.mayStartWith(List.of("A")));
+    assertTrue(!scenario.mayStartWith(List.of("A", "X")));
+    assertTrue(!scenario.mayStartWith(List.of("A", "B", "C", "D")));
   }
 
   @ParameterizedTest
@@ -56,7 +57,7 @@ class ScenarioFileTest {
         "<root><camera name=\"A\">",
         "<!DOCTYPE r [<!ENTITY e 'x'>]><r>&e;</r>"
       })
-  void isEmptyIfFileIsNoScenario(String text) throws IOException {
+  void fileThatIsNoScenarioIsIgnored(String text) throws IOException {
     Files.writeString(folder.resolve("some.xml"), text);
     assertEquals(0, ScenarioFile.read(folder.resolve("some.xml")).count());
     assertEquals(0, ScenarioFile.read(folder.resolve("none.xml")).count());
