@@ -17,8 +17,8 @@ import org.hificamsim.runs.compare.PolicyScores;
 import org.hificamsim.runs.compare.Yardstick;
 
 /**
- * The pictures of a comparison: the score over time, proportions of the optimum, coverage, and
- * performance profiles.
+ * Draws the pictures of a comparison: the score over time, proportions of the optimum, coverage,
+ * and performance profiles.
  */
 public final class ComparisonFigures {
   private ComparisonFigures() {}
@@ -27,7 +27,7 @@ public final class ComparisonFigures {
    * Writes all pictures.
    *
    * @param cases all cases, including the optima
-   * @param width in print; if empty, the pictures have the size for screens
+   * @param width the width in print; if empty, the pictures have the size for screens
    * @param style the words and colours of policies
    * @param threads the number of threads, 1 or more
    */
@@ -72,7 +72,7 @@ public final class ComparisonFigures {
     return figures;
   }
 
-  /** The cases with a share of the yardstick; all if none has one. */
+  /** Returns the cases that have a share of the yardstick; all cases if none has one. */
   private static List<CaseResult> measured(List<CaseResult> cases, Yardstick yardstick) {
     List<CaseResult> measured =
         cases.stream()

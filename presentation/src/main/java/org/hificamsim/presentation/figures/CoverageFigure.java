@@ -13,7 +13,10 @@ import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.compare.CaseResult;
 
-/** Stacked shares of targets covered by no, one, and more cameras, as in Figure 7.9. */
+/**
+ * A figure of bars that show the shares of targets that no, one, and more cameras cover, as Figure
+ * 7.9 of the thesis.
+ */
 public final class CoverageFigure {
   private static final int WIDTH = 340;
   private static final int ROW_HEIGHT = 24;
@@ -24,13 +27,13 @@ public final class CoverageFigure {
 
   private CoverageFigure() {}
 
-  /** The cases of one panel, which has a bar for each. */
+  /** The cases of one panel, which has a bar for each case. */
   public record Group(String title, List<CaseResult> cases) {}
 
   /**
    * Returns the figure, in the colours of pages.
    *
-   * @param name of a policy for people
+   * @param name converts the name of a policy to the words that people read
    */
   public static Figure of(
       String title, List<Group> groups, int columns, UnaryOperator<String> name) {

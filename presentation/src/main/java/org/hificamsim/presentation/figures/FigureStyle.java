@@ -22,19 +22,19 @@ import org.hificamsim.data.JsonStream;
 import org.hificamsim.presentation.plot.Palette;
 
 /**
- * The words and colours that a user chose for the policies and detections of all pictures and the
- * page of a folder.
+ * The words and colours that a user chose for policies and detections, in all pictures and the page
+ * of a folder.
  *
- * @param labels texts by name in files; other names are spelled
- * @param colors by policy
+ * @param labels by name in files: the words that are shown; for other names, there are usual words
+ * @param colors by policy: its colour
  * @param palette the colours of all other policies, in their order
  */
 public record FigureStyle(
     Map<String, String> labels, Map<String, Color> colors, List<Color> palette) {
-  /** The file with a style in the folder of a comparison. */
+  /** The name of the file with the style, in the folder of a comparison. */
   public static final String FILE = "style.json";
 
-  /** No words of the user's, and the default colours. */
+  /** The style of a user who chose nothing. */
   public static final FigureStyle DEFAULT = new FigureStyle(Map.of(), Map.of(), Palette.LINES);
 
   private static final Map<String, List<Color>> PALETTES =
@@ -47,12 +47,13 @@ public record FigureStyle(
   private static final Pattern COLOR = Pattern.compile("#[0-9a-fA-F]{6}");
 
   /**
-   * Returns this style with the colours and words that a user asks for in place of its own.
+   * Returns a style in which the words and colours that a user asks for replace those of this
+   * style.
    *
-   * @param newPalette a name, or colours such as {@code #0072b2} with commas between; null for the
-   *     colours of this style
-   * @param newLabels each {@code name=Text}
-   * @param names of the policies and detections, which the new labels are for
+   * @param newPalette the name of a palette, or colours such as {@code #0072b2} with commas
+   *     between; null for the colours of this style
+   * @param newLabels texts in the form {@code name=Text}
+   * @param names the names of policies and detections that may have a new label
    * @throws InputException if a palette, colour or name does not exist
    */
   public FigureStyle with(String newPalette, List<String> newLabels, Set<String> names) {
@@ -87,7 +88,7 @@ public record FigureStyle(
     return parts.stream().map(Color::decode).toList();
   }
 
-  /** The name of a policy or detection for people. */
+  /** Returns the words that people read for a policy or detection. */
   public String name(String spec) {
     return labels.getOrDefault(spec, SpokenNames.of(spec));
   }
@@ -95,7 +96,7 @@ public record FigureStyle(
   /**
    * Adds {@code style.json} to a folder's files, if the user chose anything.
    *
-   * @param policies whose colours are written
+   * @param policies the policies whose colours are written
    */
   public void write(OutputFolder folder, List<String> policies) throws IOException {
     if (equals(DEFAULT)) {
@@ -111,14 +112,15 @@ public record FigureStyle(
     }
   }
 
-  /** Reads the style of a folder; the default if it has none. */
+  /** Reads the style of a folder; returns the default if the folder has none. */
   public static FigureStyle ofFolder(Path folder) {
     Path file = folder.resolve(FILE);
     return Files.exists(file) ? read(file) : DEFAULT;
   }
 
   /**
-   * Reads a file as {@link #write} makes it; what it lacks is as by default.
+   * Reads a file in the form that {@link #write} makes. Words and colours that it lacks are those
+   * of the default style.
    *
    * @throws InputException with line and column, if it is not such a file
    */

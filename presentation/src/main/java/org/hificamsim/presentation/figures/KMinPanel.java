@@ -22,24 +22,28 @@ import org.hificamsim.runs.compare.FinishedRun;
 import org.knowm.xchart.XYChart;
 
 /**
- * A panel of k_min or another score over time, as in chapters 7 and 8: the mean over the runs as a
- * pale line, and its LOWESS smoothing on top.
+ * A panel of k_min or another score over time, as in chapters 7 and 8 of the thesis. It shows the
+ * mean over the runs as a pale line, and its LOWESS smoothing on top.
  */
 public final class KMinPanel extends XyPanel {
   private static final int RAW_POINTS = 250;
   private static final int WIDTH = 470;
 
-  /** Of one in three next to each other, so that pages show their texts as large as others. */
+  /** The width of a panel in a row of three, so that pages show its texts as large as others. */
   private static final int NARROW_WIDTH = 340;
 
   private static final int HEIGHT = 300;
 
-  /** Beyond 1, so that marks at 1 are whole. */
+  /** The end of an axis of shares, which is above 1 so that marks at 1 are whole. */
   private static final double END_OF_SHARES = 1.04;
 
   private final int steps;
 
-  /** Creates an empty panel whose y axis ends at {@code ceiling}. */
+  /**
+   * Creates an empty panel.
+   *
+   * @param ceiling the end of the y axis
+   */
   public KMinPanel(String title, Objective objective, int steps, double ceiling) {
     super(title, "time (steps)", label(objective));
     this.steps = steps;
@@ -74,13 +78,13 @@ public final class KMinPanel extends XyPanel {
     return panel;
   }
 
-  /** The end of a y axis that contains all cases; that of shares ends at 1. */
+  /** Returns the end of a y axis that has room for all cases; an axis of shares ends at about 1. */
   public static double ceilingOf(List<CaseResult> cases) {
     double ceiling = ceiling(cases.stream().map(CaseResult::meanScore).toList());
     return cases.get(0).plan().objective().isShare() ? Math.min(END_OF_SHARES, ceiling) : ceiling;
   }
 
-  /** The note of a figure of such panels. */
+  /** Returns the note of a figure that consists of such panels. */
   public static String note(List<CaseResult> cases) {
     int runs = cases.get(0).runs().size();
     RunPlan plan = cases.get(0).plan();
@@ -111,12 +115,12 @@ public final class KMinPanel extends XyPanel {
     return "Thick: LOWESS; pale: mean over the runs" + thinned;
   }
 
-  /** The points of a curve that are drawn under the smooth one. */
+  /** Returns the points of a curve that are drawn below its smooth line. */
   static Curve drawn(Curve raw) {
     return raw.thinned(RAW_POINTS);
   }
 
-  /** The end of a y axis that contains the curves of these means, and a tenth more. */
+  /** Returns the end of a y axis that has room for the curves of these means, and a tenth more. */
   static double ceiling(List<double[]> means) {
     double greatest =
         means.stream()
@@ -133,12 +137,12 @@ public final class KMinPanel extends XyPanel {
     dashed(new Curve(new double[] {0, steps}, new double[] {value, value}), color);
   }
 
-  /** Adds the pale line of a mean; to be called for all cases before {@link #smooth}. */
+  /** Adds the pale line of a mean. It has to be called for all cases before {@link #smooth}. */
   void raw(double[] means, Color color) {
     faint(drawn(Curve.of(means)), color);
   }
 
-  /** Adds the 95% interval of a case's mean over its runs; nothing for a single run. */
+  /** Adds the 95% interval of a case's mean over its runs, if there are several. */
   void band(CaseResult result, Color color) {
     if (result.runs().size() > 1) {
       band(bound(result, Estimate::low), bound(result, Estimate::high), color);
@@ -159,7 +163,7 @@ public final class KMinPanel extends XyPanel {
     return Lowess.smooth(new Curve(x, y));
   }
 
-  /** Adds a policy's smooth line; if there are too few points to smooth, their polygon. */
+  /** Adds the smooth line of a policy; if there are too few points for it, straight lines. */
   void smooth(double[] means, LineLook look) {
     Curve curve = Lowess.smooth(Curve.of(means));
     if (Lowess.smooths(means.length)) {

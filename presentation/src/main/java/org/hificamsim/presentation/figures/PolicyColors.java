@@ -11,8 +11,8 @@ import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.runs.compare.CaseResult;
 
 /**
- * A colour, a mark and dashes for each policy, the same in every figure; the policies of chapter 7
- * keep their colours.
+ * Assigns a colour, a mark and dashes to each policy, which are the same in every figure. The
+ * policies of chapter 7 of the thesis keep their colours.
  */
 public final class PolicyColors {
   private static final String OPTIMAL = "optimal";
@@ -40,7 +40,10 @@ public final class PolicyColors {
     this(policies, FigureStyle.DEFAULT);
   }
 
-  /** Assigns colours. If policies differ only in their options, the first gets the fixed colour. */
+  /**
+   * Assigns colours. Of policies that differ only in their options, the first gets the colour of
+   * chapter 7.
+   */
   public PolicyColors(List<String> policies, FigureStyle style) {
     this.style = style;
     List<String> names = policies.stream().distinct().toList();
@@ -65,7 +68,9 @@ public final class PolicyColors {
     }
   }
 
-  /** The colour of a policy of chapter 7, if the palette has it and no other policy took it. */
+  /**
+   * Takes the colour of a policy of chapter 7 from those that are free; returns null if it cannot.
+   */
   private static Color fixed(String policy, List<Color> free) {
     Color color = FIXED.get(policy.replaceFirst(":.*", ""));
     return color != null && free.remove(color) ? color : null;
@@ -80,7 +85,7 @@ public final class PolicyColors {
     return new PolicyColors(cases.stream().map(result -> result.plan().policy()).toList(), style);
   }
 
-  /** Takes the colours of some policies from another assignment, in this order. */
+  /** Takes the looks of some policies, in this order, from another assignment. */
   public PolicyColors(PolicyColors other, List<String> policies) {
     style = other.style;
     policies.forEach(policy -> looks.put(policy, other.looks.get(policy)));
@@ -91,7 +96,7 @@ public final class PolicyColors {
     return looks.get(policy).color();
   }
 
-  /** The look of a case's policy. */
+  /** Returns the colour, mark and dashes of a case's policy. */
   public LineLook of(CaseResult result) {
     return look(result.plan().policy());
   }
@@ -100,24 +105,24 @@ public final class PolicyColors {
     return looks.get(policy);
   }
 
-  /** The name of a policy or detection for people. */
+  /** Returns the words that people read for a policy or detection. */
   String name(String spec) {
     return style.name(spec);
   }
 
-  /** The legend, in the order of the policies; the optimum is dashed. */
+  /** Returns the legend, in the order of the policies. */
   public List<LegendEntry> legend() {
     return looks.entrySet().stream()
         .map(entry -> LegendEntry.of(name(entry.getKey()), entry.getValue()))
         .toList();
   }
 
-  /** The elements with bands: all, or the first where many bands would cover each other. */
+  /** Returns the elements that get bands: all, or the first few if many bands would overlap. */
   static <T> List<T> banded(List<T> elements) {
     return elements.size() > MOST_BANDS ? elements.subList(0, BANDS_OF_MANY) : elements;
   }
 
-  /** The words after "bands" that say which of so many lines have one. */
+  /** Returns the words that follow "bands" if only some of the lines have one. */
   static String wordsOfBands(int lines) {
     return lines > MOST_BANDS ? ", of the first " + BANDS_OF_MANY + " of the legend" : "";
   }

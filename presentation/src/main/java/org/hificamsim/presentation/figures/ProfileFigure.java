@@ -15,7 +15,7 @@ import org.hificamsim.runs.compare.Yardstick;
 import org.hificamsim.runs.statistics.Aggregate;
 import org.knowm.xchart.XYChart;
 
-/** Performance profiles: the share of runs that reach each proportion of the yardstick. */
+/** A figure of performance profiles: the share of runs that reach each share of the yardstick. */
 final class ProfileFigure {
   private static final int WIDTH = 430;
   private static final int HEIGHT = 290;

@@ -17,8 +17,8 @@ import org.hificamsim.runs.compare.Yardstick;
 import org.knowm.xchart.XYChart;
 
 /**
- * The score as a share of the yardstick, by policy and detection model, with a panel for each
- * scenario.
+ * A figure of scores as shares of the yardstick, by policy and detection model, with a panel for
+ * each scenario.
  */
 final class ProportionFigure {
   private static final int WIDTH = 430;
@@ -70,7 +70,7 @@ final class ProportionFigure {
         FRAME_HEIGHT + ROW_HEIGHT * Math.max(2, figure.policies.size()));
   }
 
-  /** The marks of detections; a single one needs none, and policies have their own marks. */
+  /** Returns the marks of detections; empty if there is one, since policies then have the marks. */
   private List<LegendEntry> legend() {
     return detections.size() == 1
         ? List.of()
@@ -100,8 +100,8 @@ final class ProportionFigure {
       int detection = detections.indexOf(result.plan().detection().name());
       double y = row + 1 + DOT_DISTANCE * ((detections.size() - 1) / 2.0 - detection);
       LineLook look = colors.of(result);
-      LineLook ofDetection = new LineLook(look.color(), LineLook.mark(detection), look.stroke());
-      panel.dot(estimate, y, detections.size() == 1 ? look : ofDetection);
+      LineLook marked = new LineLook(look.color(), LineLook.mark(detection), look.stroke());
+      panel.dot(estimate, y, detections.size() == 1 ? look : marked);
     }
   }
 }

@@ -1,2 +1,2 @@
-/** The figures that a comparison's results are drawn as. */
+/** The figures that show the results of a comparison. */
 package org.hificamsim.presentation.figures;

@@ -7,8 +7,8 @@ import org.hificamsim.presentation.plot.FigureFile;
 /**
  * An animation of a run.
  *
- * @param first frame
- * @param last frame, not before the first
+ * @param first the index of the first frame
+ * @param last the index of the last frame, not before the first
  * @param every the number of frames from one picture to the next, 1 or more; the last frame is
  *     always shown
  */

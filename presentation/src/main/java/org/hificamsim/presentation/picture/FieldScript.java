@@ -23,8 +23,8 @@ import org.mozilla.javascript.Scriptable;
 import org.mozilla.javascript.ScriptableObject;
 
 /**
- * Runs the script that paints fields on pages, {@code picture.js}, for the pictures of one run. Not
- * thread-safe.
+ * Paints the pictures of one run by the script that paints fields on pages, {@code picture.js}. It
+ * is not thread-safe.
  */
 final class FieldScript {
   private static final String MODULE = "picture.js";
@@ -58,7 +58,7 @@ final class FieldScript {
     colors = object(lightColors());
   }
 
-  /** The colours of the light theme, which comes first in the style sheet. */
+  /** Returns the colours of the light theme, which comes first in the style sheet. */
   private static Map<String, String> lightColors() {
     Map<String, String> colors = new HashMap<>();
     Matcher declaration = COLOR.matcher(Scripts.text("style.css"));
@@ -68,12 +68,12 @@ final class FieldScript {
     return colors;
   }
 
-  /** The height of the field in a picture of this width, points. */
+  /** Returns the height of the field in a picture of a width, points. */
   double height(double width) {
     return ((Number) call("height", setup, width)).doubleValue();
   }
 
-  /** Colours of a heat map's scale, from the least value to the greatest, as they look on white. */
+  /** Returns colours of a heat map's scale on white, from the least value to the greatest. */
   List<Color> scale(int count) {
     return ((List<?>) call("scale", count)).stream().map(FieldScript::color).toList();
   }
@@ -83,12 +83,12 @@ final class FieldScript {
     return new Color(rgb[0], rgb[1], rgb[2]);
   }
 
-  /** The paint of a heat map's cells that no camera ever covers. */
-  Paint never() {
+  /** Returns the paint of a heat map's cells that no camera ever covers. */
+  Paint neverCovered() {
     return (Paint) Context.jsToJava(call("never", new ScriptCanvas(null)), Paint.class);
   }
 
-  /** The legend of a picture. */
+  /** Returns the legend of a picture. */
   Legend legend(Look look, int width) {
     Object groups = call("signs", setup, colors, densityCamera(look), new ScriptCanvas(null));
     return new Legend(
@@ -142,7 +142,7 @@ final class FieldScript {
     place.dispose();
   }
 
-  /** The data of a picture for {@code picture.js}. */
+  /** Returns the data of a picture for {@code picture.js}. */
   private Map<String, Object> picture(Rectangle2D area, RunFrames run, int index) {
     return Map.of(
         "colours", colors,

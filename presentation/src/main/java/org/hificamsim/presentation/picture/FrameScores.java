@@ -15,11 +15,11 @@ import org.hificamsim.runs.output.StepRow;
 /**
  * The scores of a recorded run whose objective is not k_min.
  *
- * @param byStep the scores of the run's steps
+ * @param byStep by step: its score
  * @param mean the mean score of a step over all repeats
  */
 public record FrameScores(Objective objective, Map<Long, Double> byStep, double mean) {
-  /** Reads the scores of a run's folder; empty if the objective is k_min. */
+  /** Reads the scores from the folder of a run; returns nothing if the objective is k_min. */
   public static Optional<FrameScores> read(Path folder, RecordedRun run) throws IOException {
     JsonNode summary = new ResultFolder(folder).json(ResultFolder.SUMMARY);
     Objective objective = Objective.parse(summary.path("objective").asText("kmin"));
@@ -39,7 +39,7 @@ public record FrameScores(Objective objective, Map<Long, Double> byStep, double 
         new FrameScores(objective, byStep, summary.path("score").asDouble() / steps));
   }
 
-  /** A score in words, such as {@code targets covered by at least one camera: 61.0 %}. */
+  /** Returns a score in words, such as {@code targets covered by at least one camera: 61.0 %}. */
   String text(double score) {
     String number = objective.isShare() ? "%.1f %%" : "%.2f";
     double shown = objective.isShare() ? 100 * score : score;

@@ -24,9 +24,10 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /**
- * Writes an animation as a GIF that repeats for ever, with one palette and the differences between
- * frames. The palette has the most frequent colours of a few frames, and a transparent one that
- * keeps the last frame. Areas of one colour keep it exactly; rare shades at edges are rounded.
+ * Writes an animation as a GIF that repeats for ever. To make the file small, all frames share one
+ * palette, and each stores only its differences from the one before. The palette has the most
+ * frequent colours of a few frames, and a transparent one for what stays the same. Areas of one
+ * colour keep it exactly; rare shades at edges are rounded.
  */
 final class GifFile {
   private static final String STREAM_FORMAT = "javax_imageio_gif_stream_1.0";
@@ -50,8 +51,8 @@ final class GifFile {
    * Writes the animation.
    *
    * @param count the number of frames, 1 or more
-   * @param frames of the same size
-   * @param delay between two frames, hundredths of a second
+   * @param frames returns the frames by number, all of the same size
+   * @param delay the time between two frames, hundredths of a second
    */
   static void write(OutputStream out, int count, IntFunction<BufferedImage> frames, int delay)
       throws IOException {
@@ -99,7 +100,7 @@ final class GifFile {
     return image.getRGB(0, 0, width, image.getHeight(), null, 0, width);
   }
 
-  /** The header of the file, which has the palette. */
+  /** Returns the header of the file, which has the palette. */
   private IIOMetadata header(ImageWriter writer) throws IOException {
     IIOMetadataNode root = new IIOMetadataNode(STREAM_FORMAT);
     String attributes = "sizeOfGlobalColorTable=256 backgroundColorIndex=0 sortFlag=FALSE";

@@ -16,8 +16,8 @@ import org.hificamsim.runs.heat.HeatFigure;
 import org.hificamsim.runs.heat.HeatMap;
 
 /**
- * A figure of a heat map over the field, with obstacles, the cameras after the last step, and
- * perhaps the tracks.
+ * A picture of a heat map over the field. It also shows obstacles, the cameras after the last step,
+ * and the tracks of targets if they are asked for.
  */
 public final class HeatPicture implements Paintable {
   private static final int KEY_HEIGHT = 64;
@@ -77,7 +77,7 @@ public final class HeatPicture implements Paintable {
     return repeats == 1 ? steps : repeats + " runs of " + steps;
   }
 
-  /** The key: the scale of colours with numbers, and the sign of cells that are never covered. */
+  /** Paints the scale of colours with numbers, and the sign of cells that are never covered. */
   private void key(Graphics2D graphics, double left, double top) {
     text(graphics, figure.label(), left, top + 11);
     double bar = top + 18;
@@ -96,7 +96,7 @@ public final class HeatPicture implements Paintable {
     }
     if (Arrays.stream(values).anyMatch(value -> value == 0)) {
       double box = left + BAR_WIDTH + GAP;
-      graphics.setPaint(run.script().never());
+      graphics.setPaint(run.script().neverCovered());
       graphics.fill(new Rectangle2D.Double(box, bar, 2 * BAR_HEIGHT, BAR_HEIGHT));
       text(graphics, figure.never(), box + 2 * BAR_HEIGHT + 6, bar + BAR_HEIGHT - 2);
     }

@@ -17,7 +17,7 @@ import org.hificamsim.presentation.replay.Move;
 import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 
-/** The frames of a recorded run, prepared for painting. Not thread-safe. */
+/** The frames of a recorded run, prepared for painting. This class is not thread-safe. */
 public final class RunFrames {
   /** The number of frames of a trail, as in {@code path-layers.js}. */
   private static final int TRAIL_FRAMES = 40;
@@ -46,9 +46,9 @@ public final class RunFrames {
     this.scoreByFrame =
         scores
             .map(
-                own ->
+                known ->
                     recording.frames().stream()
-                        .mapToDouble(frame -> own.byStep().get(frame.step())))
+                        .mapToDouble(frame -> known.byStep().get(frame.step())))
             .orElseGet(() -> coverages.stream().mapToDouble(StepCoverage::kMin))
             .toArray();
     this.mostTargets = coverages.stream().mapToInt(StepCoverage::targets).max().orElse(1);
@@ -116,7 +116,7 @@ public final class RunFrames {
   /**
    * Returns the index of the frame of a step.
    *
-   * @param option that gave the step, for error lines
+   * @param option the option that gave the step, for messages
    * @throws InputException if the run has no such step or it was not recorded
    */
   public int indexOf(String option, long step) {
@@ -146,8 +146,8 @@ public final class RunFrames {
   }
 
   /**
-   * The lists from which a picture is painted, by camera or target and by frame: the frames of the
-   * trails up to a frame, or all frames if tracks are shown.
+   * Returns the lists from which a picture is painted, by camera or target and by frame. They have
+   * the frames of the trails that end at a frame, or all frames if tracks are shown.
    */
   Map<String, Object> columns(int index) {
     List<Frame> frames =

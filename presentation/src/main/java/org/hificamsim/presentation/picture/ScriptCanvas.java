@@ -26,9 +26,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A canvas on Java 2D for the scripts of pages, in points: the part of {@code
- * CanvasRenderingContext2D} that {@code scene.js} uses, and the host that it expects. Public, with
- * public fields, because scripts require it.
+ * A canvas by which the scripts of pages paint with Java 2D, in points. It has the part of {@code
+ * CanvasRenderingContext2D} that {@code scene.js} uses, and the functions that this expects of its
+ * host. Class and fields are public, because scripts require it.
  */
 public final class ScriptCanvas {
   private static final Pattern FONT = Pattern.compile("(bold )?([\\d.]+)px .*");
@@ -36,11 +36,12 @@ public final class ScriptCanvas {
   private static final int TILE_PIXELS_PER_POINT = 8;
 
   /**
-   * The pixels of an image of cells; many for each cell, because viewers of SVG files blur them.
+   * The least number of pixels of the longer side of an image of cells. Each cell has many pixels,
+   * because viewers of SVG files blur them.
    */
   private static final int CELL_IMAGE_PIXELS = 1600;
 
-  /** A colour of the style sheet or what {@link #pattern} returned. */
+  /** A colour such as {@code #000000}, or a result of {@link #pattern}. */
   public Object fillStyle = "#000000";
 
   public String strokeStyle = "#000000";
@@ -58,7 +59,7 @@ public final class ScriptCanvas {
 
   private final Graphics2D graphics;
 
-  /** Fills change this area instead of the picture; null for a canvas that paints. */
+  /** The area that fills change instead of the picture; null for a canvas that paints. */
   private final Area mask;
 
   private final Deque<ScriptCanvas> saved = new ArrayDeque<>();

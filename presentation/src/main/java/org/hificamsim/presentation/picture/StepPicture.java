@@ -18,7 +18,8 @@ import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.presentation.replay.Setup;
 
 /**
- * A picture of one step of a run: a heading, the field to scale, and a chart of the score or k_min.
+ * A picture of one step of a run, which has a heading, the field to scale, and a chart of the score
+ * or k_min.
  */
 public final class StepPicture implements Paintable {
   static final int WIDTH = 800;
@@ -52,7 +53,7 @@ public final class StepPicture implements Paintable {
     return (int) area(run).getMaxY() + legend.height() + CHART_HEIGHT + MARGIN;
   }
 
-  /** The area of the field in a picture. */
+  /** Returns the area of the field in a picture. */
   static Rectangle2D area(RunFrames run) {
     int width = WIDTH - 2 * MARGIN;
     double height =
@@ -86,7 +87,9 @@ public final class StepPicture implements Paintable {
     chart.dispose();
   }
 
-  /** The score or k_min over all steps, with a line at the step that is shown. */
+  /**
+   * Returns a chart of the score or k_min over all steps, with a line at the step that is shown.
+   */
   private XyPanel scoreChart() {
     double greatest =
         Math.max(1, IntStream.range(0, run.count()).mapToDouble(run::score).max().orElseThrow());
@@ -95,12 +98,12 @@ public final class StepPicture implements Paintable {
     return new XyPanel("", "step", run.scores().isPresent() ? "score" : "k_min")
         .x(0, last)
         .y(0, greatest)
-        .thin(steps(), Palette.BLUE)
+        .thin(scoreCorners(), Palette.BLUE)
         .thin(new Curve(shownStep, new double[] {0, greatest}), Palette.BLACK);
   }
 
-  /** The corners of the score as a curve of steps. */
-  private Curve steps() {
+  /** Returns the score of all frames as a curve that changes in steps, by its corners. */
+  private Curve scoreCorners() {
     List<double[]> corners = new ArrayList<>();
     corners.add(new double[] {run.step(0), run.score(0)});
     for (int i = 1; i < run.count(); i++) {
@@ -128,7 +131,7 @@ public final class StepPicture implements Paintable {
     graphics.drawString(result, MARGIN, MARGIN + (score.isPresent() ? 52 : 44));
   }
 
-  /** The settings of a run in words. */
+  /** Returns the settings of a run in words. */
   static String settings(Setup setup, long seed) {
     return "%s, %s%s%s, seed %s"
         .formatted(

@@ -6,9 +6,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Numbered A4 pages that are filled from top to bottom with texts, pictures and tables. */
+/** Fills numbered A4 pages from top to bottom with texts, pictures and tables. */
 public final class A4Pages {
-  private static final int WIDTH = 595; // points
+  /** The width of a page, points, as are all lengths here. */
+  private static final int WIDTH = 595;
+
   private static final int HEIGHT = 842;
   private static final int MARGIN = 42;
   private static final int CONTENT_WIDTH = WIDTH - 2 * MARGIN;
@@ -20,7 +22,7 @@ public final class A4Pages {
   private final List<List<Block>> pages = new ArrayList<>();
   private final String footer;
 
-  /** The start of the next block; at the bottom of a page, so that the first block begins one. */
+  /** The top of the next block. It begins at the bottom, so that the first block begins a page. */
   private int top = HEIGHT;
 
   /**
@@ -50,7 +52,7 @@ public final class A4Pages {
   /**
    * Adds a picture.
    *
-   * @param share of the page's height that the picture takes at most
+   * @param share the greatest share of the page's height that the picture takes
    */
   public void picture(Paintable picture, double share) {
     double scale = scale(picture, share);
@@ -73,14 +75,14 @@ public final class A4Pages {
     picture(picture, share);
   }
 
-  /** The scale at which {@link #picture} prints. */
+  /** Returns the scale at which {@link #picture} prints. */
   public static double scale(Paintable picture, double share) {
     return Math.min((double) CONTENT_WIDTH / picture.width(), share * HEIGHT / picture.height());
   }
 
   /**
-   * Adds a table below its title. It stays on one page if it fits; else its head is repeated, and
-   * no row is alone on a page.
+   * Adds a table below its title. A table that fits on a page is not broken; that of several pages
+   * has its head on each of them, and no row alone on a page.
    */
   public void table(String title, List<String> columns, List<List<String>> rows) {
     int[] widths = widths(columns, rows);
@@ -116,7 +118,7 @@ public final class A4Pages {
         .toArray();
   }
 
-  /** A row of a table, scaled down if it is too wide. */
+  /** Returns a row of a table, which is scaled down if it is too wide. */
   private static Paintable row(List<String> cells, int[] widths, Font font) {
     double scale =
         Math.min(

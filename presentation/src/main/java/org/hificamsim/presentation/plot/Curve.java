@@ -6,20 +6,20 @@ import java.util.function.ToDoubleFunction;
 import org.apache.commons.math3.stat.StatUtils;
 
 /**
- * Points in the order of x.
+ * Points of a curve, in the order of x.
  *
- * @param x ascending
- * @param y of the same length
+ * @param x by point: its x, ascending
+ * @param y by point: its y
  */
 public record Curve(double[] x, double[] y) {
-  /** Returns the points of values at x = 0, 1, 2, ... */
+  /** Returns a curve that has these values at x = 0, 1, 2, ... */
   public static Curve of(double[] values) {
     double[] x = new double[values.length];
     Arrays.setAll(x, i -> i);
     return new Curve(x, values);
   }
 
-  /** Returns a point for each element, which must be in the order of x. */
+  /** Returns a curve with a point for each element; the elements must be in the order of x. */
   public static <T> Curve of(List<T> elements, ToDoubleFunction<T> x, ToDoubleFunction<T> y) {
     return new Curve(
         elements.stream().mapToDouble(x).toArray(), elements.stream().mapToDouble(y).toArray());
@@ -31,7 +31,7 @@ public record Curve(double[] x, double[] y) {
   }
 
   /**
-   * Returns the means of groups of neighbours of nearly equal size.
+   * Returns a curve of fewer points: the means of groups of neighbours, of nearly equal size.
    *
    * @param groups the number of groups, 1 or more; a curve of at most this many points is returned
    *     unchanged

@@ -13,8 +13,9 @@ import org.apache.pdfbox.pdmodel.font.PDType0Font;
 import org.apache.pdfbox.pdmodel.graphics.state.RenderingMode;
 
 /**
- * Writes text into a PDF document as text, which can be searched and copied, in Liberation Sans,
- * which comes with PDFBox. Texts with letters that this font lacks become outlines.
+ * Writes text into a PDF document in such a way that it can be searched and copied. The font is
+ * Liberation Sans, which comes with PDFBox. Texts with letters that this font lacks become
+ * outlines.
  */
 final class EmbeddedText extends PdfBoxGraphics2DFontTextDrawer {
   private static final String FONT = "/org/apache/pdfbox/resources/ttf/LiberationSans-Regular.ttf";
@@ -46,8 +47,8 @@ final class EmbeddedText extends PdfBoxGraphics2DFontTextDrawer {
   }
 
   @Override
-  protected PDFont mapFont(Font asked, IFontTextDrawerEnv environment) throws IOException {
-    if (asked.isBold() && environment.getPaint() instanceof Color color) {
+  protected PDFont mapFont(Font drawn, IFontTextDrawerEnv environment) throws IOException {
+    if (drawn.isBold() && environment.getPaint() instanceof Color color) {
       PDPageContentStream content = environment.getContentStream();
       content.setRenderingMode(RenderingMode.FILL_STROKE);
       content.setLineWidth(BOLD_OUTLINE);

@@ -6,12 +6,12 @@ import java.util.List;
 import org.knowm.xchart.internal.chartpart.Chart;
 
 /**
- * A picture: a title, a note, a legend for all panels, and the panels row by row.
+ * A picture that has a title, a note, a legend for all panels, and the panels row by row.
  *
- * @param note what is shown and how; broken into lines
+ * @param note a text about what is shown and how, which is broken into lines
  * @param columns the number of panels in a row
- * @param panelWidth in points; PNG files have twice as many pixels
- * @param panelHeight in points
+ * @param panelWidth the width of a panel in points; PNG files have twice as many pixels
+ * @param panelHeight the height of a panel in points
  */
 public record Figure(
     String title,
@@ -77,12 +77,12 @@ public record Figure(
     panel.paint(graphics, panelWidth, panelHeight - title);
   }
 
-  /** The top of the panels. */
+  /** Returns the top of the panels. */
   private int top() {
     return noteTop() + NOTE_LINE * noteLines().size() + laidOutLegend().height();
   }
 
-  /** The legend at the width of the figure. */
+  /** Returns the legend, laid out for the width of the figure. */
   private Legend laidOutLegend() {
     return new Legend(List.of(legend), width() - 2 * MARGIN, LegendEntry.WIDTH, LEGEND_ROW);
   }

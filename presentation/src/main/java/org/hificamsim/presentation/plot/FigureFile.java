@@ -27,12 +27,12 @@ import org.hificamsim.core.file.OutputFolder;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 
-/** Writes pictures as PNG for screens, and as SVG and PDF for papers. Needs no display. */
+/** Writes pictures as PNG for screens, and as SVG and PDF for papers. It needs no display. */
 public final class FigureFile {
   /** The default number of pixels per point of a PNG. */
   public static final int SCALE = 2;
 
-  /** The formats, as file names end in. */
+  /** The formats, by the ends of file names. */
   public static final List<String> FORMATS = List.of("png", "svg", "pdf");
 
   /**
@@ -64,7 +64,7 @@ public final class FigureFile {
   /**
    * The files of a figure. Figures that share no panel can be drawn at the same time.
    *
-   * @param files in the order of {@link #FORMATS}
+   * @param files the bytes of each file, in the order of {@link #FORMATS}
    */
   public record Drawn(List<byte[]> files) {
     /** Writes {@code name.png}, {@code name.svg} and {@code name.pdf}. */

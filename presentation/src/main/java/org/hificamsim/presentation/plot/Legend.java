@@ -4,7 +4,7 @@ import java.awt.Graphics2D;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Signs and their labels, arranged in rows. */
+/** Explains the signs of a picture by labels, which are arranged in rows. */
 public final class Legend {
   private static final int SIGN_GAP = 6;
   private static final int ENTRY_GAP = 18;
@@ -17,8 +17,8 @@ public final class Legend {
   private int rows;
 
   /**
-   * @param groups of entries; each starts a new row
-   * @param width of the legend, points
+   * @param groups the entries in groups, each of which starts a new row
+   * @param width the width of the legend, points
    */
   public Legend(List<List<LegendEntry>> groups, int width, int signWidth, int rowHeight) {
     this.signWidth = signWidth;
@@ -42,7 +42,7 @@ public final class Legend {
     return entry.sign() == null ? 0 : signWidth + SIGN_GAP;
   }
 
-  /** The height, points. */
+  /** The height of the legend, points. */
   public int height() {
     return rowHeight * rows;
   }

@@ -12,7 +12,7 @@ import org.knowm.xchart.style.markers.Marker;
 /**
  * A sign in a picture with its label.
  *
- * @param sign null for a heading
+ * @param sign the sign; null for a heading, which has none
  */
 public record LegendEntry(String label, Sign sign) {
   static final int WIDTH = 22;
@@ -45,7 +45,7 @@ public record LegendEntry(String label, Sign sign) {
     this(label, (graphics, x, y) -> paint(graphics, x, y, color, mark));
   }
 
-  /** A piece of a line with its mark. */
+  /** Returns an entry whose sign is a piece of a line with its mark. */
   public static LegendEntry of(String label, LineLook look) {
     return new LegendEntry(
         label,
@@ -56,7 +56,7 @@ public record LegendEntry(String label, Sign sign) {
         });
   }
 
-  /** A mark alone. */
+  /** Returns an entry whose sign is a mark alone. */
   public static LegendEntry of(String label, Color color, Marker mark) {
     return new LegendEntry(label, (graphics, x, y) -> paint(graphics, x, y, color, mark));
   }

@@ -9,8 +9,8 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 /**
  * The colour, mark and dashes that tell a policy from all others, also in print without colour.
  *
- * @param mark of its points
- * @param stroke of its lines
+ * @param mark the mark at points of its lines
+ * @param stroke the stroke of its lines, which has the dashes
  */
 public record LineLook(Color color, Marker mark, BasicStroke stroke) {
   private static final float WIDTH = 2.2f;
@@ -27,22 +27,22 @@ public record LineLook(Color color, Marker mark, BasicStroke stroke) {
   private static final List<float[]> DASHES =
       List.of(new float[] {1, 0}, new float[] {8, 4}, new float[] {2, 3}, new float[] {9, 3, 2, 3});
 
-  /** The look of the i-th of several policies in some colour. */
+  /** Returns the look of the i-th of several policies, in a colour. */
   public static LineLook of(int i, Color color) {
     return new LineLook(color, mark(i), stroke(DASHES.get(i % DASHES.size())));
   }
 
-  /** A solid line with dots. */
+  /** Returns a solid line with dots. */
   public static LineLook solid(Color color) {
     return of(0, color);
   }
 
-  /** The look of the optimum and other references. */
+  /** Returns the look of the optimum and other references. */
   public static LineLook reference() {
     return new LineLook(Palette.BLACK, SeriesMarkers.NONE, stroke(new float[] {5, 4}));
   }
 
-  /** The i-th mark; marks repeat after the eighth. */
+  /** Returns the i-th mark; marks repeat after the eighth. */
   public static Marker mark(int i) {
     return MARKS.get(i % MARKS.size());
   }

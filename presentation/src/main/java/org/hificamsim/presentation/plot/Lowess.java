@@ -3,8 +3,9 @@ package org.hificamsim.presentation.plot;
 import org.apache.commons.math3.analysis.interpolation.LoessInterpolator;
 
 /**
- * Locally weighted regression (Cleveland 1979), which smooths the figures of chapter 7. Long curves
- * are thinned to means of neighbours first, which changes far less than smoothing does.
+ * Smooths curves by locally weighted regression (Cleveland 1979), as in the figures of chapter 7 of
+ * the thesis. Long curves are thinned to means of neighbours first, which changes far less than
+ * smoothing does.
  */
 public final class Lowess {
   /** The share of points to which each local line is fitted. */
@@ -21,7 +22,7 @@ public final class Lowess {
     return points >= MIN_POINTS;
   }
 
-  /** Returns the smooth curve; one of fewer than 20 points stays as it is. */
+  /** Returns the smooth curve; a curve of fewer than 20 points stays as it is. */
   public static Curve smooth(Curve curve) {
     if (!smooths(curve.size())) {
       return curve;

@@ -28,7 +28,7 @@ public final class Palette {
   private static final Color WINE = new Color(0x882255);
   private static final Color TEAL = new Color(0x2F7F86);
 
-  // The meanings of colours on all pages and pictures, except for lines of policies.
+  // the meanings of colours on all pages and pictures, except for lines of policies
 
   public static final Color UNSEEN = VERMILION;
 
@@ -37,7 +37,9 @@ public final class Palette {
   public static final Color SEEN_OFTEN = GREEN;
   public static final Color CAMERA = BLUE;
 
-  /** Colours of ordered classes, the least first: viridis (Smith and van der Walt 2015). */
+  /**
+   * The colours of ordered classes, the least first, from viridis (Smith and van der Walt 2015).
+   */
   public static final List<Color> SEQUENCE =
       IntStream.of(0xFDE725, 0x90D743, 0x35B779, 0x21918C, 0x31688E, 0x443983, 0x440154)
           .mapToObj(Color::new)
@@ -58,17 +60,17 @@ public final class Palette {
 
   private Palette() {}
 
-  /** The colour of the i-th line; colours repeat after the twelfth. */
+  /** Returns the colour of the i-th line; colours repeat after the twelfth. */
   public static Color line(int i) {
     return LINES.get(i % LINES.size());
   }
 
-  /** The colours with a meaning as an object of a script, by name. */
+  /** Returns a line of script that defines the colours with a meaning, by name. */
   public static String script() {
     return meanings("const MEANING = {%s};\n", "%s: '%s'", ", ");
   }
 
-  /** The colours with a meaning as properties of a style sheet, by name. */
+  /** Returns a rule of a style sheet that defines the colours with a meaning, by name. */
   public static String style() {
     return meanings(":root { %s; }\n", "--%s: %s", "; ");
   }
@@ -80,7 +82,7 @@ public final class Palette {
             .collect(Collectors.joining(separator)));
   }
 
-  /** A colour as {@code #rrggbb}. */
+  /** Returns a colour in the form {@code #rrggbb}. */
   public static String hex(Color color) {
     return Texts.format("#%06x", color.getRGB() & 0xffffff);
   }

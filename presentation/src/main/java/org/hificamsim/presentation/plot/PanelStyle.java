@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import org.knowm.xchart.style.AxesChartStyler;
 
-/** The style of all panels: white ground, pale grid, no box. */
+/** Gives all panels the same style: a white ground, a pale grid, and no box. */
 final class PanelStyle {
   private static final Color GRID = new Color(0xE3E3E3);
   private static final Color AXIS = new Color(0x777777);

@@ -7,10 +7,10 @@ import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 
 /**
- * The width of a figure in print, such as a journal's column. At any width, text has 8 points and
- * numbers on axes have 7; panels that do not fit next to each other are placed below.
+ * The width of a figure in print, such as that of a journal's column. At any width, text has 8
+ * points and numbers on axes have 7; panels that do not fit next to each other are placed below.
  *
- * @param millimetres 40 to 400
+ * @param millimetres the width, from 40 to 400
  */
 public record PrintWidth(int millimetres) {
   private static final Pattern FORM = Pattern.compile("(\\d{1,4})mm");
@@ -18,7 +18,7 @@ public record PrintWidth(int millimetres) {
   private static final int MAX = 400;
   private static final double POINTS_PER_MILLIMETRE = 72 / 25.4;
 
-  /** The size in print by that on screens, which turns 11 points of text into 8. */
+  /** The ratio of sizes in print and on screens, which turns 11 points of text into 8. */
   private static final double SCALE = 0.72;
 
   /** The least width of a panel, in points on screens. */
@@ -27,7 +27,7 @@ public record PrintWidth(int millimetres) {
   private static final int PIXELS_PER_INCH = 300;
 
   /**
-   * Reads {@code 88mm}.
+   * Reads a width such as {@code 88mm}.
    *
    * @throws InputException if the text is not such a width
    */

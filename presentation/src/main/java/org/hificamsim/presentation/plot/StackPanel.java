@@ -5,7 +5,7 @@ import java.util.List;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategorySeries;
 
-/** A panel of stacked bars, one for each name. */
+/** A panel of stacked bars, with a bar for each name. */
 public final class StackPanel extends CategoryChart {
   private static final double BAR_SHARE = 0.72;
   private static final int LABEL_ROTATION = 30;

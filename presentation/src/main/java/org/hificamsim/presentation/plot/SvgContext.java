@@ -19,8 +19,8 @@ import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 
 /**
- * Batik's settings for a figure. Each has a number format of its own, because Batik shares one
- * among all documents and a {@link DecimalFormat} is not thread-safe.
+ * The settings by which Batik draws a figure. Each figure has a number format of its own, because
+ * Batik shares one among all documents and a {@link DecimalFormat} is not thread-safe.
  */
 final class SvgContext extends SVGGeneratorContext {
   SvgContext(Document document) {

@@ -12,7 +12,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** A panel of lines, bands and points, drawn in the order in which they are added. */
 public class XyPanel extends XYChart {
-  /** A stroke with butt caps: pale pieces would be darker where they overlap. */
+  /** A stroke without round ends, since pale pieces would be darker where round ends overlap. */
   private static final BasicStroke THIN =
       new BasicStroke(0.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
 
@@ -26,13 +26,13 @@ public class XyPanel extends XYChart {
   private static final int SMALL_DOT = 4;
   private static final int MARKS_OF_LINE = 6;
 
-  /** The share of an axis that dots are on, so that none is cut off. */
+  /** The share of an axis that has dots, so that none is cut off at the ends. */
   private static final double CONTENT_SHARE = 0.94;
 
   private static final double PALE_LINE = 0.38;
   private static final double PALE_BAND = 0.18;
 
-  /** About the width of a panel's inside, so that XChart sets a tick on each name only. */
+  /** Roughly the width inside a panel, by which XChart sets a tick on each name only. */
   private static final int NAMES_WIDTH = 380;
 
   private static final int ROW_HEIGHT = 26;
@@ -49,7 +49,7 @@ public class XyPanel extends XYChart {
     PanelStyle.apply(getStyler(), xTitle, yTitle);
   }
 
-  /** Prepares a cloud of small dots: none is cut off, and ticks have few digits. */
+  /** Prepares the panel for a cloud of small dots. None is cut off, and ticks have few digits. */
   public XyPanel cloud() {
     getStyler().setMarkerSize(SMALL_DOT);
     getStyler().setPlotContentSize(CONTENT_SHARE);
@@ -134,7 +134,7 @@ public class XyPanel extends XYChart {
     return marksAlong(curve, look);
   }
 
-  /** Adds such a line that is straight from point to point. */
+  /** Adds a line with a policy's dashes and marks that is straight from point to point. */
   public XyPanel straight(Curve curve, LineLook look) {
     straight(curve, look.color(), look.stroke());
     return marksAlong(curve, look);
@@ -160,7 +160,7 @@ public class XyPanel extends XYChart {
     return this;
   }
 
-  /** Adds a lying bar, such as a part of a row of {@link #rows}. */
+  /** Adds a horizontal bar, such as a part of a row of {@link #rows}. */
   public XyPanel bar(double from, double to, double y, Color color) {
     return straight(new Curve(new double[] {from, to}, new double[] {y, y}), color, BAR);
   }
@@ -185,7 +185,7 @@ public class XyPanel extends XYChart {
     return line(curve, color, DASHED);
   }
 
-  /** Adds a vertical line for an interval; nothing if its ends are NaN. */
+  /** Adds a vertical line for an interval, unless its ends are NaN. */
   public XyPanel interval(double x, double low, double high, Color color) {
     return Double.isNaN(low)
         ? this
@@ -237,7 +237,7 @@ public class XyPanel extends XYChart {
     return marks(curve, color, SeriesMarkers.DIAMOND);
   }
 
-  /** Adds a curved line, which is one path. */
+  /** Adds a curved line, which XChart draws as one path. */
   private XyPanel line(Curve curve, Color color, BasicStroke stroke) {
     XYSeries series = add(curve, SeriesMarkers.NONE);
     series.setLineColor(color);

@@ -1,2 +1,2 @@
-/** Pictures: panels of lines, points and bars, laid out under one legend, as PNG and SVG. */
+/** Draws panels of lines, points and bars under one legend, and writes pictures in files. */
 package org.hificamsim.presentation.plot;

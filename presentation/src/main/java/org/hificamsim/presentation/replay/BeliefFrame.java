@@ -5,7 +5,7 @@ import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.scenario.spec.Field;
 
 /**
- * What a camera believes, as the numbers of a {@link Frame}, in this order:
+ * Collects what a camera believes as numbers for a {@link Frame}, in this order:
  *
  * <ol>
  *   <li>for each target: x, y, weight and spread; the weight is 0 for no target
@@ -39,7 +39,7 @@ final class BeliefFrame implements BeliefListener {
     numbers = new double[length(setup)];
   }
 
-  /** The count of numbers of a belief. */
+  /** Returns how many numbers a belief has. */
   static int length(Setup setup) {
     int cameras = setup.cameras().size();
     return NUMBERS_PER_TARGET * setup.targets().size()
@@ -86,7 +86,7 @@ final class BeliefFrame implements BeliefListener {
     return Math.max(0, Math.min(PARTS_PER_SIDE - 1, (int) (PARTS_PER_SIDE * share)));
   }
 
-  /** All numbers, rounded. */
+  /** Returns all numbers, rounded. */
   double[] numbers() {
     return Arrays.stream(numbers).map(number -> Math.rint(PER_UNIT * number) / PER_UNIT).toArray();
   }

@@ -9,13 +9,14 @@ import org.hificamsim.core.detection.ZoomLevel;
  * @param x metres
  * @param y metres
  * @param heading radians, 0 is +y and pi/2 is +x; not normalised
- * @param viewingAngle full opening angle, radians, (0, 2 pi]; that of the narrowest level if the
- *     levels differ
+ * @param viewingAngle the full opening angle, radians, (0, 2 pi]; that of the narrowest level if
+ *     the levels differ
  * @param levels the zoom levels, the narrowest first
- * @param pans by direction, which is each pan angle at each tilt: radians from the heading to the
- *     right; empty if it cannot turn
- * @param tilts by direction: radians below the horizon; empty if it has only one
- * @param lenses by level; empty unless the levels differ in angle or have a pixel density
+ * @param pans by direction, of which there is one for each pan angle at each tilt: radians from the
+ *     heading to the right; empty if the camera cannot turn
+ * @param tilts by direction: radians below the horizon; empty if all are the same
+ * @param lenses by level: its optics; empty unless the levels differ in angle or have a pixel
+ *     density
  * @param visible the corners of the region that no solid obstacle hides, x and y in turn, metres;
  *     empty if the scenario has no solid obstacles
  * @param grounds by tilt and level: the corners of the ground that is in the picture, metres to the
@@ -35,7 +36,7 @@ public record CameraPose(
   /**
    * A zoom level of a camera.
    *
-   * @param radius of the field of view, metres
+   * @param radius the radius of the field of view, metres
    * @param detected the distances at which a target of the usual size is detected, ascending
    */
   public record Level(double radius, List<Interval> detected) {}
@@ -51,7 +52,10 @@ public record CameraPose(
    *     or no lens
    */
   public record LevelOptics(double viewingAngle, double density) {
-    /** The density is W / (2 tan(theta / 2)) for W pixels across an angle of view theta. */
+    /**
+     * Returns the optics of a level. The density is W / (2 tan(theta / 2)) for W pixels across an
+     * angle of view theta.
+     */
     static LevelOptics of(ZoomLevel zoom) {
       boolean known = zoom.pixels() > 0 && zoom.angleOfView() < Math.PI;
       double across = known ? 2 * StrictMath.tan(zoom.angleOfView() / 2) : 1;
@@ -59,19 +63,19 @@ public record CameraPose(
     }
   }
 
-  /** Whether the lists fit each other; in a file they may not. */
+  /** Whether the lengths of the lists fit each other, which may be wrong in a file. */
   boolean isConsistent() {
     return !levels.isEmpty()
         && (lenses.isEmpty() || lenses.size() == levels.size())
         && visible.size() % 2 == 0;
   }
 
-  /** The number of views that it can choose: each level at each pan angle. */
+  /** The number of views that the camera can choose: each level at each pan angle. */
   public int views() {
     return levels.size() * Math.max(1, pans.size());
   }
 
-  /** Whether its pixels per metre are known. */
+  /** Whether the pixels per metre of the camera are known. */
   public boolean hasDensity() {
     return !lenses.isEmpty() && lenses.get(0).density() > 0;
   }

@@ -8,23 +8,23 @@ import java.util.Base64;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 
-/** Deflates bytes (zlib) and writes them in Base64. */
+/** Compresses bytes (zlib), and writes them in Base64. */
 public final class Deflated {
-  /** A level that takes half the time of the best, for up to five per cent more bytes. */
+  /** A level that takes half the time of the best one, for up to five per cent more bytes. */
   static final int FAST_LEVEL = 6;
 
   private Deflated() {}
 
-  /** Writes the bytes. */
+  /** Writes the bytes that are to be compressed. */
   @FunctionalInterface
   public interface Content {
     void write(OutputStream out) throws IOException;
   }
 
   /**
-   * Deflates what is written.
+   * Returns bytes, compressed and in Base64.
    *
-   * @param level of {@link Deflater}
+   * @param level a level of {@link Deflater}
    */
   public static String base64(int level, Content content) {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();

@@ -40,7 +40,7 @@ public final class FloorPictures {
   private FloorPictures() {}
 
   /**
-   * The floor plan of a scenario; empty if it names none.
+   * Reads the floor plan of a scenario; returns nothing if the scenario names none.
    *
    * @param scenarioFile the file of the scenario
    * @throws InputException if the picture is missing or is not a PNG or JPEG
@@ -52,7 +52,7 @@ public final class FloorPictures {
   }
 
   /**
-   * The decoded picture.
+   * Decodes a picture.
    *
    * @throws InputException if the data are not a picture
    */
@@ -84,7 +84,7 @@ public final class FloorPictures {
     }
   }
 
-  /** The picture as a data URI; empty if it is neither PNG nor JPEG. */
+  /** Returns the picture as a data URI; empty if it is neither PNG nor JPEG. */
   private static Optional<String> data(byte[] bytes) throws IOException {
     try (ImageInputStream in = ImageIO.createImageInputStream(new ByteArrayInputStream(bytes))) {
       Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
@@ -111,7 +111,7 @@ public final class FloorPictures {
         .because(cause);
   }
 
-  /** Reads a picture, a very large one with fewer pixels, so that it fits into memory. */
+  /** Reads a picture. A very large one is read with fewer pixels, so that it fits into memory. */
   private static BufferedImage read(ImageReader reader) throws IOException {
     int side = Math.max(reader.getWidth(0), reader.getHeight(0));
     int step = Math.max(1, side / (OVERSAMPLING * MAX_SIDE));
@@ -120,7 +120,9 @@ public final class FloorPictures {
     return reader.read(0, parameters);
   }
 
-  /** Returns a PNG; if that is too large, a JPEG, halved until it is small enough. */
+  /**
+   * Returns a PNG; if that is too large, a JPEG, whose sides are halved until it is small enough.
+   */
   private static String shrunkUri(BufferedImage image) throws IOException {
     BufferedImage scaled = scaled(image, MAX_SIDE);
     byte[] png = bytes(scaled, "png");

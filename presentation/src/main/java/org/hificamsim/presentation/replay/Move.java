@@ -1,8 +1,8 @@
 package org.hificamsim.presentation.replay;
 
 /**
- * The new pose of a camera from a step on.
+ * A new pose that a camera has from a step on.
  *
- * @param camera its number
+ * @param camera the number of the camera
  */
 public record Move(long step, int camera, CameraPose pose) {}

@@ -22,16 +22,17 @@ import org.locationtech.jts.operation.overlayng.OverlayNG;
 import org.locationtech.jts.operation.overlayng.UnaryUnionNG;
 
 /**
- * Computes the region that no solid obstacle hides from a camera, as corners to be drawn: a disc
- * about the camera without the shadows of walls, sides and pillars.
+ * Computes the region that no solid obstacle hides from a camera, as corners to be drawn. The
+ * region is a disc around the camera without the shadows of walls, pillars, and sides of polygons.
  */
 final class Outlook {
   /**
-   * The radius of the disc by the camera's reach; above 1, so that few corners contain the reach.
+   * The ratio of the disc's radius and the camera's reach. It is above 1, so that a disc with few
+   * corners contains all that is in reach.
    */
   private static final double DISC_FACTOR = 1.1;
 
-  // The numbers of corners of a quarter of a circle.
+  // the numbers of corners of a quarter of a circle
   private static final int DISC_CORNERS = 6;
   private static final int PILLAR_CORNERS = 12;
 
@@ -50,11 +51,11 @@ final class Outlook {
   }
 
   /**
-   * Returns the corners as in {@link CameraPose#visible}; the camera's place if it is in an
-   * obstacle.
+   * Returns the corners in the form of {@link CameraPose#visible}. A camera in an obstacle sees its
+   * own place only.
    *
-   * @param z of the camera, metres; NaN in a flat world
-   * @param reach of the camera, metres
+   * @param z the height of the camera, metres; NaN in a flat world
+   * @param reach the reach of the camera, metres
    */
   List<Double> from(double x, double y, double z, double reach) {
     Obstacles walls = opaqueByHeight.computeIfAbsent(z, this::opaque);
@@ -67,7 +68,7 @@ final class Outlook {
         : rounded(visible(walls.all(), camera, DISC_FACTOR * reach));
   }
 
-  /** The obstacles that a camera at this height cannot look over, as if they had no top. */
+  /** Returns the obstacles that a camera at a height cannot look over, without their tops. */
   private Obstacles opaque(double z) {
     return new Obstacles(
         obstacles.stream()
@@ -105,7 +106,7 @@ final class Outlook {
     return SHAPES.createPoint(new Coordinate(x, y)).buffer(radius, corners);
   }
 
-  /** The parts of an obstacle that hide something, each of them convex. */
+  /** Returns convex parts of an obstacle that hide the same as the whole obstacle. */
   private static Stream<Geometry> parts(Obstacle obstacle) {
     if (obstacle instanceof Obstacle.Pillar pillar) {
       return Stream.of(disc(pillar.x(), pillar.y(), pillar.radius(), PILLAR_CORNERS));
@@ -128,7 +129,9 @@ final class Outlook {
         new Coordinate[] {new Coordinate(x1, y1), new Coordinate(x2, y2)});
   }
 
-  /** Returns a convex part and the area behind it, to beyond the reach. */
+  /**
+   * Returns the shadow of a convex part: the part itself, and the area behind it beyond the reach.
+   */
   private static Geometry shadow(Coordinate[] corners, Coordinate camera, double reach) {
     double far = 2 * reach + Arrays.stream(corners).mapToDouble(camera::distance).max().orElse(0);
     Vector2D first = Vector2D.create(camera, corners[0]).normalize();

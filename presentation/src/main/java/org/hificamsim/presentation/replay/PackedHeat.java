@@ -9,7 +9,7 @@ import org.hificamsim.runs.heat.HeatFigure;
 import org.hificamsim.runs.heat.HeatMap;
 
 /**
- * A heat map in few bytes, for a page.
+ * A heat map in few bytes, for pages.
  *
  * @param first the first step of the map
  * @param steps the number of steps of the map
@@ -18,8 +18,8 @@ import org.hificamsim.runs.heat.HeatMap;
  * @param areaBlind see {@link HeatMap#blind}
  * @param perUnit values are rounded to multiples of 1 / perUnit
  * @param figures the figures of the map that can be shown
- * @param data a {@link Series} for each figure: 0 for NaN, else zigzag + 1 of the number times
- *     {@code perUnit}; deflated (zlib), in Base64
+ * @param data a {@link Series} for each figure, compressed (zlib) and in Base64. A value is 0 for
+ *     NaN, else one more than the zigzag code of the number times {@code perUnit}
  */
 public record PackedHeat(
     int columns,
@@ -35,10 +35,10 @@ public record PackedHeat(
   private static final double PER_UNIT = 1e6; // as in heatmap.csv
 
   /**
-   * A figure of a map as it is shown.
+   * How a figure of a map is shown.
    *
-   * @param never what a value of 0 means
-   * @param end of the scale
+   * @param never words on what a value of 0 means
+   * @param end the end of the scale
    * @param logarithmic whether the scale is logarithmic, from 1 instead of 0 to the end
    * @param least the start of the scale in words
    * @param most its end in words

@@ -21,9 +21,9 @@ import java.util.zip.InflaterInputStream;
  * @param frames the number of frames
  * @param scale positions are rounded to multiples of 1 / scale metres
  * @param estimateScale estimates are rounded to multiples of 1 / estimateScale
- * @param beliefs the count of numbers of {@link BeliefFrame} in each frame; 0 for none
- * @param data a {@link Series} for the frames' steps, then one for each {@link FrameColumn};
- *     deflated (zlib), in Base64
+ * @param beliefs how many numbers of {@link BeliefFrame} each frame has; 0 for none
+ * @param data a {@link Series} for the frames' steps, then one for each {@link FrameColumn},
+ *     compressed (zlib) and in Base64
  */
 public record PackedRun(
     int run,
@@ -37,7 +37,7 @@ public record PackedRun(
     double estimateScale,
     @JsonInclude(JsonInclude.Include.NON_DEFAULT) @JsonSetter(nulls = Nulls.AS_EMPTY) int beliefs,
     String data) {
-  /** Packs a recording, each frame rounded. */
+  /** Packs a recording, and rounds the numbers of its frames. */
   static PackedRun of(Setup setup, RecordedRun recording) {
     Scale positions = Scale.of(setup.field());
     Scale estimates = Scale.of(largestEstimate(recording.frames()));
@@ -58,7 +58,7 @@ public record PackedRun(
         pack(recording.frames(), columns));
   }
 
-  /** The number of bytes that this takes in a file, to within about a hundred. */
+  /** Returns about the number of bytes that this takes in a file, at most a hundred off. */
   long bytes() {
     return data.length() + (long) ReplayJson.of(moves).length();
   }

@@ -25,8 +25,8 @@ import org.hificamsim.presentation.replay.CameraPose.Level;
 import org.hificamsim.presentation.replay.CameraPose.LevelOptics;
 
 /**
- * Makes the poses of cameras: what each sees from where it is, and the distances at which it
- * detects targets of one size, along the heading if the model depends on the bearing.
+ * Computes the poses of cameras: what each sees from where it is, and the distances at which it
+ * detects targets of one size. If the model depends on the bearing, these are along the heading.
  */
 final class Poses {
   private final Detection detection;
@@ -62,7 +62,7 @@ final class Poses {
   }
 
   /**
-   * @param targetSize of the targets whose detected ranges are shown, metres
+   * @param targetSize the size of targets for which distances are shown, metres
    */
   Poses(Detection detection, double targetSize, List<Obstacle> obstacles, Field field) {
     this.detection = new Detection(new OnAxis(detection.model()), detection.threshold());
@@ -86,7 +86,7 @@ final class Poses {
   /**
    * Returns the pose of a camera that is online.
    *
-   * @param before its last known pose
+   * @param before the last known pose of the camera
    */
   CameraPose of(NetworkView network, int camera, CameraPose before) {
     return pose(
@@ -127,7 +127,7 @@ final class Poses {
         grounds(views));
   }
 
-  /** Returns the grounds of all different levels; those at the same tilt are the same. */
+  /** Returns the grounds of all levels; levels at the same tilt have the same ground. */
   private List<List<Double>> grounds(CameraViews views) {
     return IntStream.range(0, views.count())
         .mapToObj(views.zoom())

@@ -11,7 +11,7 @@ import org.hificamsim.data.JsonFault;
 import org.hificamsim.runs.output.ResultFolder;
 
 /**
- * The recording of a plan's repeats for pages and pictures: {@code replay.json}.
+ * The content of {@code replay.json}: a recording of repeated runs for pages and pictures.
  *
  * @param repeat the number of repeats
  * @param runs the first repeats, 1 or more
@@ -20,7 +20,7 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
   static final String FORMAT = "hificamsim-replay-1";
 
   /**
-   * Reads the file in a run's folder.
+   * Reads the recording in the folder of a run.
    *
    * @throws InputException if the file is missing or is not a recording
    */
@@ -36,7 +36,7 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
   /**
    * Unpacks one run.
    *
-   * @param index in {@link #runs}
+   * @param index the index of the run in {@link #runs}
    * @throws InputException if its data are broken
    */
   public RecordedRun recording(Path folder, int index) {

@@ -18,8 +18,8 @@ import org.hificamsim.core.file.Io;
 import org.hificamsim.core.obstacle.Obstacle;
 
 /**
- * The JSON form of the records of this package: an object for each record, with its components as
- * fields. NaN becomes null.
+ * Converts the records of this package to JSON. A record becomes an object with its components as
+ * fields; NaN becomes null.
  */
 public final class ReplayJson {
   private static final ObjectMapper MAPPER =
@@ -59,7 +59,7 @@ public final class ReplayJson {
     double height();
   }
 
-  /** Omits a number that has its default value. */
+  /** Omits a number that has its default value, and reads an omitted number as this value. */
   private abstract static class OmittedDefault extends StdDeserializer<Double> {
     private final double defaultValue;
 

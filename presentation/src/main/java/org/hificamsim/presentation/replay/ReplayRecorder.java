@@ -13,7 +13,7 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * Records the first repeats of a plan, as many as fit into {@code replay.json}. Repeats may run at
+ * Records the first repeats of a run, as many as fit into {@code replay.json}. Repeats may run at
  * the same time.
  */
 public final class ReplayRecorder {
@@ -23,16 +23,16 @@ public final class ReplayRecorder {
   /**
    * The limits of a recording.
    *
-   * @param frames of one run
-   * @param numbers in all frames of one run
-   * @param bytes of all packed runs and the setup; frames are left out until it is kept, but the
-   *     first and the last frame always stay
+   * @param frames the greatest number of frames of one run
+   * @param numbers the greatest count of numbers in all frames of one run
+   * @param bytes the greatest number of bytes of all packed runs and the setup. Frames are left out
+   *     until they fit, but the first and the last frame always stay
    */
   record Limits(int frames, long numbers, int bytes) {
     /** Limits for a page of less than 5 MB and the memory of a small machine. */
     static final Limits DEFAULT = new Limits(20_000, 1 << 23, 4_400_000);
 
-    /** The limit of frames for a setup, 2 or more. */
+    /** Returns the greatest number of frames for a setup, 2 or more. */
     int frames(Setup setup, boolean hasBelief) {
       long perFrame = setup.numbersPerFrame() + (hasBelief ? BeliefFrame.length(setup) : 0);
       return (int) Math.max(2, Math.min(frames, numbers / (1 + perFrame)));
@@ -43,7 +43,10 @@ public final class ReplayRecorder {
   private final Detection detection;
   private final int repeats;
   private final Limits limits;
-  private final int maxBytes; // 0 if the setup is large; one run of two frames is kept then
+
+  /** The greatest number of bytes of all runs. If it is 0, one run of two frames is still kept. */
+  private final int maxBytes;
+
   private final Map<Integer, Tape> tapes = new ConcurrentSkipListMap<>();
 
   /**
@@ -93,7 +96,10 @@ public final class ReplayRecorder {
     ReplayJson.mapper().writeValue(out, new Replay(Replay.FORMAT, repeats, setup, runs));
   }
 
-  /** Records one run: every step while they fit, then every other one, every fourth, and so on. */
+  /**
+   * Records one run. It keeps every step as long as all fit, then every other one, every fourth,
+   * and so on.
+   */
   private final class Tape implements StepListener {
     private final int run;
     private final List<Frame> frames = new ArrayList<>();

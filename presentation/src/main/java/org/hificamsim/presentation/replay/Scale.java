@@ -3,7 +3,7 @@ package org.hificamsim.presentation.replay;
 import org.hificamsim.core.scenario.spec.Field;
 
 /**
- * Converts numbers to whole multiples of a power of ten, which take few bytes and keep decimals
+ * Converts numbers to whole multiples of a power of ten. These take few bytes, and keep decimals
  * exact.
  *
  * @param perUnit the number of parts of a unit
@@ -11,7 +11,9 @@ import org.hificamsim.core.scenario.spec.Field;
 record Scale(double perUnit) {
   private static final double SMALLEST = 1e-6;
 
-  /** Returns a scale of millimetres; finer in a field below 10 m, coarser in a very large one. */
+  /**
+   * Returns a scale of millimetres, which is finer for fields below 10 m and coarser for huge ones.
+   */
   static Scale of(Field field) {
     double magnitude = magnitude(Math.max(field.width(), field.height()));
     return new Scale(Math.pow(10, Math.min(Math.max(3, 4 - magnitude), 12 - magnitude)));
@@ -34,7 +36,7 @@ record Scale(double perUnit) {
     return parts / perUnit;
   }
 
-  /** Converts NaN to 0, other numbers to 1 or more. */
+  /** Converts NaN to 0, and other numbers to 1 or more. */
   long packOptional(double number) {
     return Double.isNaN(number) ? 0 : Series.zigzag(pack(number)) + 1;
   }

@@ -20,19 +20,20 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.runs.cells.UsualTarget;
 
 /**
- * What does not change while a run is shown: the scenario and the settings.
+ * The scenario and the settings of a run, which do not change while it is shown.
  *
- * @param scenario name
- * @param order when targets move: {@code coverage} or {@code camsim}
- * @param detection name
- * @param policy name and options
- * @param seed of the run, or of the first repeat
- * @param targetSize the most frequent size of a target, metres; the detected ranges are for it
- * @param onAxis whether detection depends on the bearing; the detected ranges are along the heading
- *     then
- * @param cameras by number, including those that events add
- * @param targets by number, including those that events add
- * @param widths of targets, by number, metres; empty if all widths equal the sizes
+ * @param scenario the name of the scenario
+ * @param order the order of a step, which tells when targets move: {@code coverage} or {@code
+ *     camsim}
+ * @param detection the name of the detection
+ * @param policy the name of the policy with its options
+ * @param seed the seed of the run, or of the first repeat
+ * @param targetSize the most frequent size of a target, metres, for which distances of detection
+ *     are shown
+ * @param onAxis whether detection depends on the bearing; the distances are along the heading then
+ * @param cameras by number: the cameras, including those that events add
+ * @param targets by number: the targets, including those that events add
+ * @param widths by number: the width of a target, metres; empty if all widths equal the sizes
  * @param slow the numbers of cameras that need time to turn
  * @param obstacles in the order of the scenario
  * @param floor pictures under the field, at most one
@@ -59,7 +60,7 @@ public record Setup(
     @JsonInclude(JsonInclude.Include.NON_DEFAULT) @JsonSetter(nulls = Nulls.AS_EMPTY)
         boolean following) {
   /**
-   * A zone that demands something: what the page shows of {@link Zone}.
+   * The part of a {@link Zone} with a demand that pages show.
    *
    * @param faces whether it matters from where cameras look, which a heat map does not know
    */
@@ -97,7 +98,7 @@ public record Setup(
   /**
    * A picture that is drawn under the field.
    *
-   * @param area that it shows, metres
+   * @param area the area that it shows, metres
    * @param data the picture as a data URI, PNG or JPEG
    */
   public record Floor(Field area, String data) {}
@@ -174,7 +175,7 @@ public record Setup(
     return BY_CHANCE.matcher(detection).find();
   }
 
-  /** The count of numbers in a frame, without its step. */
+  /** Returns how many numbers a frame has, without its step. */
   public long numbersPerFrame() {
     return (following ? 5L : 4L) * targets.size()
         + (slow.isEmpty() ? 0 : cameras.size())

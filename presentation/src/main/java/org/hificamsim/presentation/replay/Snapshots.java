@@ -22,7 +22,7 @@ public final class Snapshots {
   private boolean posesForgotten;
 
   /**
-   * @param policy that decides in the run
+   * @param policy the policy that decides in the run
    */
   public Snapshots(Setup setup, Detection detection, ZoomPolicy policy) {
     this.setup = setup;
@@ -31,7 +31,7 @@ public final class Snapshots {
     this.poses = setup.cameras().stream().map(Setup.Camera::pose).toArray(CameraPose[]::new);
   }
 
-  /** The name of the agents' estimate, such as "mean reward" or "Q"; empty without one. */
+  /** Returns the name of what agents estimate, such as "mean reward" or "Q"; empty without one. */
   public String estimated(NetworkView network) {
     if (estimated == null) {
       int maxViews = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);

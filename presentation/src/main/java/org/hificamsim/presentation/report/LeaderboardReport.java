@@ -8,11 +8,11 @@ import org.hificamsim.runs.benchmark.BenchmarkTask;
 import org.hificamsim.runs.benchmark.Leaderboard;
 import org.hificamsim.runs.output.ManifestFile;
 
-/** The page of the benchmark's leaderboard. */
+/** Makes the page of the benchmark's leaderboard. */
 public final class LeaderboardReport {
   private LeaderboardReport() {}
 
-  /** The page. */
+  /** Returns the page. */
   public static Page page(Leaderboard board) {
     List<String> columns = board.columns();
     ObjectNode data = new ObjectMapper().createObjectNode();

@@ -3,10 +3,10 @@ package org.hificamsim.presentation.report;
 import org.hificamsim.core.metrics.Objective;
 
 /**
- * How pages name the score.
+ * The words by which pages name the score.
  *
  * @param text the objective as an option
- * @param title of the score of a step
+ * @param title the title of the score of a step
  * @param share whether the score is shown in percent
  * @param kMin whether the score is k_min, which pages always show
  */

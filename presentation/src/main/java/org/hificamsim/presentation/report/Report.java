@@ -15,8 +15,8 @@ public final class Report {
   /**
    * Returns the page as HTML.
    *
-   * @param name of the folder
-   * @param notation of the settings in the commands that the page shows
+   * @param name the name of the folder
+   * @param notation how to write settings in the commands that the page shows
    * @throws InputException if the folder does not contain what a page needs
    */
   public static String html(Path folder, String name, NamedSetting.Notation notation)

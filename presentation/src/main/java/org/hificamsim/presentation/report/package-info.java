@@ -1,2 +1,2 @@
-/** Pages: self-contained HTML files that show a run or a comparison. */
+/** Makes pages, which are HTML files that show a run or a comparison and need no other file. */
 package org.hificamsim.presentation.report;

@@ -19,9 +19,9 @@ public final class Browsers {
   private Browsers() {}
 
   /**
-   * Opens an address if there is a desktop, otherwise does nothing. The browser is given a file
-   * that only this user can read, so that the list of processes does not show the address to
-   * others.
+   * Opens an address if there is a desktop; otherwise does nothing. The list of processes shows the
+   * arguments of the browser to other users, so the browser is not given the address, but a file
+   * that only this user can read.
    */
   public static void open(String address) {
     try {
@@ -39,7 +39,7 @@ public final class Browsers {
     }
   }
 
-  /** Returns the content of that file: a page that redirects to the address. */
+  /** Returns the content of this file: a page that redirects to the address. */
   public static String page(String address) {
     return PAGE.formatted(address);
   }

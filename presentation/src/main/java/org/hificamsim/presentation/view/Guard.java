@@ -33,8 +33,9 @@ final class Guard {
   }
 
   /**
-   * Returns what is wrong with a request, null if nothing is. A navigation may come from another
-   * origin, because the file that opens the page does: only the user sees its answer.
+   * Returns what is wrong with a request; null if nothing is. A navigation may come from another
+   * origin, since the file that opens the page has another one. This is safe, because only the user
+   * sees the answer to a navigation.
    */
   String objection(HttpExchange exchange) {
     Headers headers = exchange.getRequestHeaders();
@@ -61,7 +62,7 @@ final class Guard {
     return MessageDigest.isEqual(given, token.getBytes(StandardCharsets.UTF_8));
   }
 
-  /** The only value of a header; empty if it has none or several. */
+  /** Returns the only value of a header; empty if it has none or several. */
   private static String single(List<String> values) {
     return values == null || values.size() != 1 ? "" : values.get(0);
   }

@@ -5,17 +5,18 @@ import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 
 /**
- * The choices under which one of the simulations runs.
+ * The detection and policy that are chosen for one of the simulations.
  *
- * @param detection name of the model
- * @param threshold in [0, 1]; null for the scenario's or else the model's own
- * @param policy name and options
+ * @param detection the name of the model
+ * @param threshold in [0, 1]; null for that of the scenario or, if it has none, of the model
+ * @param policy the name of the policy with its options
  */
 public record LiveChoice(String detection, Double threshold, String policy) {
-  /** The choices as settings, without a detection that is the scenario's own. */
+  /** Returns the choices as settings, which leave out a detection that the scenario has anyway. */
   Settings settings(Scenario scenario) {
-    boolean isOwn = scenario.find(Scenario.DETECTION).filter(detection::equals).isPresent();
-    Settings settings = isOwn ? Settings.NONE : Settings.NONE.with(Setting.DETECTION, detection);
+    boolean isOfScenario = scenario.find(Scenario.DETECTION).filter(detection::equals).isPresent();
+    Settings settings =
+        isOfScenario ? Settings.NONE : Settings.NONE.with(Setting.DETECTION, detection);
     return threshold == null ? settings : settings.with(Setting.THRESHOLD, threshold.toString());
   }
 }

@@ -9,8 +9,8 @@ import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.report.ObjectiveWords;
 
 /**
- * What a session shows to pages: its simulations, their last steps, and its state. Each page reads
- * what is new to it, at its own pace.
+ * Holds what a session shows to pages: its simulations, their last steps, and its state. Each page
+ * reads what is new to it, at its own pace.
  *
  * <p>The number of steps is limited. When the limit is reached, every other one of the older steps
  * is removed, so that curves keep their shape. The first and the last step always stay, and no move
@@ -27,12 +27,12 @@ final class LiveFeed {
   private static final int STEPS_PER_EVENT = 200;
   private static final long HEARTBEAT = TimeUnit.SECONDS.toNanos(1);
 
-  /** A comment, which pages ignore; writing it fails once the page is closed. */
+  /** A comment, which pages ignore. Writing it fails if the page is closed, which tells us so. */
   private static final String COMMENT = ":\n\n";
 
   private static final String NO_HEAT = "[]";
 
-  /** The setup of one simulation. */
+  /** What pages have to know of one simulation before its steps. */
   record SideMessage(Setup setup, String estimated, ObjectiveWords objective) {}
 
   /**
@@ -57,7 +57,7 @@ final class LiveFeed {
     this.maxSteps = maxSteps;
   }
 
-  /** A feed whose limit of steps is lower for a large scenario, so that its memory is bounded. */
+  /** Returns a feed for a scenario. Large scenarios get fewer steps, so that memory is bounded. */
   static LiveFeed of(Setup setup) {
     long fit = MAX_NUMBERS / Math.max(1, setup.numbersPerFrame());
     return new LiveFeed((int) Math.max(MIN_STEPS, Math.min(MAX_STEPS, fit)));
@@ -111,7 +111,7 @@ final class LiveFeed {
     return List.copyOf(steps);
   }
 
-  /** One page's position in the feed. */
+  /** Reads the feed for one page, and knows what the page has got already. */
   final class Reader {
     private int knownBegins;
     private int knownChoices;
@@ -120,7 +120,10 @@ final class LiveFeed {
     private String knownHeat;
     private long lastSent;
 
-    /** Returns server-sent events with what is new to the page; at least a comment every second. */
+    /**
+     * Returns what is new to the page, as server-sent events. There is at least a comment every
+     * second.
+     */
     String take() {
       StringBuilder news = new StringBuilder();
       synchronized (LiveFeed.this) {

@@ -25,13 +25,13 @@ import org.hificamsim.runs.DetectionSpec;
  * One or two simulations of the same targets that make their steps together. The targets are the
  * same because each world has the same seed and targets move without regard to cameras. The same
  * commands at the same steps give the same results. A command with a wrong value throws an {@link
- * InputException} and leaves the run unchanged. Not thread-safe.
+ * InputException} and leaves the run unchanged. This class is not thread-safe.
  */
 public final class LiveRun {
   /**
-   * A scenario as it is shown.
+   * A scenario with its pictures.
    *
-   * @param floor pictures under the field
+   * @param floor pictures to be shown under the field
    */
   public record ShownScenario(Scenario scenario, List<Setup.Floor> floor) {}
 
@@ -51,7 +51,7 @@ public final class LiveRun {
   private boolean paused;
 
   /**
-   * @param choice of the first simulation; its detection may be a model file
+   * @param choice the choice for the first simulation; its detection may be a model file
    * @param planner suggests cameras; empty for no suggestions
    * @throws InputException if the choice is wrong or does not suit the scenario
    */
@@ -85,7 +85,7 @@ public final class LiveRun {
   /**
    * Begins again with the same choices.
    *
-   * @param newSeed of targets and policies
+   * @param newSeed the seed of targets and policies
    * @param keepEdits whether the changes of cameras, targets and walls stay
    */
   public void restart(long newSeed, boolean keepEdits) {
@@ -102,7 +102,7 @@ public final class LiveRun {
     sides = new ArrayList<>(choices.stream().map(choice -> newSide(world.get(), choice)).toList());
   }
 
-  /** Moves a camera in every simulation; takes effect in the next step. */
+  /** Moves a camera in every simulation, which takes effect in the next step. */
   public void drag(int camera, double x, double y) {
     scenario.move(onlineName(camera), x, y);
     sides.forEach(side -> side.world().moveCamera(camera, x, y));
@@ -110,7 +110,7 @@ public final class LiveRun {
   }
 
   /**
-   * Turns a camera in every simulation; takes effect in the next step.
+   * Turns a camera in every simulation, which takes effect in the next step.
    *
    * @param heading degrees, 0 is +y and 90 is +x
    */
@@ -134,7 +134,7 @@ public final class LiveRun {
     return recordsHeat;
   }
 
-  /** The heat map of each simulation; empty before the first recorded step. */
+  /** Returns the heat map of each simulation; empty before the first recorded step. */
   List<PackedHeat> heats() {
     return sides.stream().flatMap(side -> side.heat().stream()).toList();
   }
@@ -162,7 +162,7 @@ public final class LiveRun {
   /**
    * Moves a camera to the place where it sees the most that others do not see.
    *
-   * @param camera its number; -1 to add a camera there
+   * @param camera the number of the camera; -1 to add a camera at this place
    */
   void suggest(int camera) {
     Optional<CameraSpec> moved =
@@ -193,15 +193,15 @@ public final class LiveRun {
     rebuildFromScenario();
   }
 
-  /** Returns what plans cameras for the scenario as it is now. */
+  /** Returns a task that plans cameras for the scenario as it is now. */
   Function<Planner.Watcher, Planner.Plan> planning(Planner.Request request) {
-    Planner ready = planner();
+    Planner sitePlanner = planner();
     Scenario site = scenario.current();
     Detection usual = detection(choices.get(0));
-    return watcher -> ready.plan(site, usual, request, watcher);
+    return watcher -> sitePlanner.plan(site, usual, request, watcher);
   }
 
-  /** The zones, with the share of each that the cameras can see from where they are. */
+  /** Returns the zones, with the share of each that the cameras can see from where they are. */
   List<ShownZone> zones() {
     return zones
         .map(measured -> measured.of(scenario.current(), detection(choices.get(0))))
@@ -220,7 +220,7 @@ public final class LiveRun {
     rebuildFromScenario();
   }
 
-  /** A warning about the changed scenario; empty if there is none. */
+  /** Returns a warning about the changed scenario; empty if there is none. */
   String warning() {
     List<String> blocked = scenario.blockedTargets();
     return blocked.isEmpty()
@@ -270,13 +270,13 @@ public final class LiveRun {
     begin(() -> worldLike(before));
   }
 
-  /** Begins again with cameras where the scenario has them. */
+  /** Begins again; all cameras are where the scenario has them. */
   private void rebuildFromScenario() {
     stepBackIfPaused();
     begin(() -> worldAfter(next));
   }
 
-  /** Repeats the step that is shown if the session is paused, so that no time passes. */
+  /** Goes back a step if the session is paused, so that the next step repeats the shown one. */
   private void stepBackIfPaused() {
     next = Math.max(0, next - (paused ? 1 : 0));
   }
@@ -364,7 +364,10 @@ public final class LiveRun {
     return spec(choice.detection()).detection(choice.settings(current), current);
   }
 
-  /** Accepts the names of the catalogue, and the model file that the session began with. */
+  /**
+   * Returns the detection with a name, which has to be in the catalogue, or the one that the
+   * session began with: pages must not make the server read files.
+   */
   private DetectionSpec spec(String name) {
     return name.equals(initialDetection)
         ? initialSpec

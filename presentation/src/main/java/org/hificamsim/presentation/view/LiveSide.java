@@ -22,14 +22,14 @@ import org.hificamsim.presentation.report.ObjectiveWords;
 import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.heat.HeatRecorder;
 
-/** One of a live run's simulations: a world under one choice of model and policy. */
+/** One of the simulations of a live run, which has a choice of model and policy of its own. */
 final class LiveSide {
   /**
-   * What all simulations of a live run share.
+   * Values that all simulations of a live run share.
    *
-   * @param seed of the world and the policies
+   * @param seed the seed of the world and the policies
    * @param next the step that comes next
-   * @param held the views, by the camera's name, that policies do not choose; may change later
+   * @param held by the camera's name: a view in which it is held; it may change between steps
    */
   record Shared(
       Catalogue catalogue,
@@ -37,7 +37,9 @@ final class LiveSide {
       long next,
       List<Setup.Floor> floor,
       Map<String, Integer> held) {
-    /** The pictures of the floor, where a scenario has them, whose scale may have changed. */
+    /**
+     * Returns the pictures at the areas that a scenario gives them now, after a change of scale.
+     */
     private List<Setup.Floor> floorOf(Scenario scenario) {
       return scenario
           .floorplan()
@@ -53,13 +55,16 @@ final class LiveSide {
   private final Snapshots snapshots;
   private final Simulation simulation;
   private final Detection detection;
-  private HeatRecorder heat; // null unless a heat map is recorded
+
+  /** Null unless a heat map is recorded. */
+  private HeatRecorder heat;
+
   private long firstHeatStep;
   private LiveStep.Side lastStep;
 
   /**
-   * @param world after the steps before the next one
-   * @param policySpec name and options
+   * @param world the world as it is before the next step
+   * @param policySpec the name of the policy with its options
    * @throws InputException if the policy is unknown or does not suit the scenario
    */
   LiveSide(World world, Detection detection, String policySpec, Shared shared) {
@@ -108,7 +113,7 @@ final class LiveSide {
     heat = on ? new HeatRecorder(world, detection, FieldCells.DEFAULT) : null;
   }
 
-  /** The heat map; empty if none is recorded or no step has been made since its beginning. */
+  /** Returns the heat map; empty if none is recorded or it has no step yet. */
   Optional<PackedHeat> heat() {
     return heat == null || heat.steps() == 0
         ? Optional.empty()
@@ -133,7 +138,7 @@ final class LiveSide {
     return ObjectiveWords.of(world.scenario().objective());
   }
 
-  /** The name of the agents' estimate; empty without one. */
+  /** Returns the name of what agents estimate; empty if they estimate nothing. */
   String estimated() {
     return snapshots.estimated(simulation.network());
   }

@@ -15,10 +15,10 @@ import org.hificamsim.presentation.replay.Move;
  */
 public record LiveStep(List<Side> sides) {
   /**
-   * The result in one simulation.
+   * The result of a step in one simulation.
    *
-   * @param moves the changed poses of cameras since the step that was sent before
-   * @param score of the step by the objective
+   * @param moves the poses of cameras that have changed since the step before
+   * @param score the score of the step by the objective
    */
   public record Side(Frame frame, List<Move> moves, double score) {}
 
@@ -28,7 +28,8 @@ public record LiveStep(List<Side> sides) {
   }
 
   /**
-   * Returns this step with the moves of a step that is removed before it, the last of each camera.
+   * Returns this step with the moves of a step before it that is removed. It has one move of each
+   * camera, the last one.
    */
   LiveStep withMovesOf(LiveStep removed) {
     List<Side> merged = new ArrayList<>();

@@ -5,10 +5,13 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 
-/** The zones of a scenario that is edited, which are measured again only after a change. */
+/** Measures the zones of a scenario that is edited, but only if it has changed since. */
 final class MeasuredZones {
   private final Planner planner;
-  private Scenario measured; // null if the shares are out of date
+
+  /** The scenario whose zones were measured; null if the shares are out of date. */
+  private Scenario measured;
+
   private List<ShownZone> zones = List.of();
 
   MeasuredZones(Planner planner) {

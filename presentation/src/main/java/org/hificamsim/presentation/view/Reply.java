@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 
-/** Sends answers, with the headers that keep other sites from reading them. */
+/** Sends answers with headers that keep other sites from reading them. */
 final class Reply {
   private static final Map<String, String> HEADERS =
       Map.of(
@@ -26,7 +26,7 @@ final class Reply {
   /**
    * Sends a body, or only its headers if the request is a HEAD.
    *
-   * @param type of the body, which is text in UTF-8
+   * @param type the media type of the body, which is text in UTF-8
    */
   static void send(HttpExchange exchange, int status, String type, byte[] body) throws IOException {
     if (exchange.getRequestMethod().equals("HEAD")) {

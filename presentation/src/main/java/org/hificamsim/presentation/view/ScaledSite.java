@@ -14,7 +14,7 @@ import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.core.scenario.spec.Zone;
 
 /**
- * Makes a site larger or smaller on the ground, about the origin; heights stay.
+ * Makes a site larger or smaller on the ground, from the origin. Heights stay.
  *
  * @param factor above 0
  */
@@ -57,7 +57,7 @@ record ScaledSite(double factor) {
         .orElse(scaled);
   }
 
-  /** Returns a coordinate to the tenth of a millimetre. */
+  /** Returns a scaled coordinate, rounded to a tenth of a millimetre. */
   private double scaled(double coordinate) {
     return Math.rint(coordinate * factor * 1e4) / 1e4;
   }

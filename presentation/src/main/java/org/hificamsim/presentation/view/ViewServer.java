@@ -34,10 +34,10 @@ public final class ViewServer implements AutoCloseable {
   private static final int MAX_BODY_BYTES = 4096;
   private static final int MAX_PAGES = 8;
 
-  /** Further connections are closed at once. */
+  /** The greatest number of connections; further ones are closed at once. */
   private static final int MAX_CONNECTIONS = 128;
 
-  /** More than connections, so that requests that never end do not block others. */
+  /** The greatest number of threads, so many that requests which never end do not block others. */
   private static final int MAX_THREADS = 2 * MAX_CONNECTIONS;
 
   private static final long IDLE_THREAD_SECONDS = 10;
@@ -113,7 +113,7 @@ public final class ViewServer implements AutoCloseable {
   /**
    * Waits until the page has been closed.
    *
-   * @throws Error that ended the simulation, if one did
+   * @throws Error if the simulation was ended by this error
    */
   public void awaitEnd() throws InterruptedException {
     try {
@@ -226,7 +226,7 @@ public final class ViewServer implements AutoCloseable {
     return true;
   }
 
-  /** Ends the server after the grace, unless another page is opened before. */
+  /** Ends the server after a grace, unless another page has been opened by then. */
   private synchronized void closePage() {
     openPages--;
     int known = pagesEverOpened;

@@ -7,12 +7,12 @@ import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.spec.Zone;
 
 /**
- * What a zone that is being drawn asks for.
+ * The demand of a zone that is being drawn.
  *
- * @param name empty for any
- * @param detection that must see there
+ * @param name the name of the zone; empty for any free name
+ * @param detection the detection by which cameras must see there
  * @param k the number of cameras that must see there
- * @param facing where faces look that have to be seen, degrees; null for any
+ * @param facing the direction in which faces look that have to be seen, degrees; null for any
  * @param maxDepression the steepest view down at a face, degrees; null for any
  */
 record ZoneDraft(String name, String detection, int k, Double facing, Double maxDepression) {

@@ -1,2 +1,2 @@
-/** The live view: simulations that a page on this machine watches and commands. */
+/** The live view, in which a page on this machine watches and commands simulations. */
 package org.hificamsim.presentation.view;

@@ -35,7 +35,7 @@ class KMinPanelTest {
   }
 
   @Test
-  void curvesOnlySmoothLines() {
+  void onlyLinesWithEnoughPointsAreSmooth() {
     for (int steps : new int[] {5, 1000}) {
       double[] means = new double[steps];
       Arrays.setAll(means, i -> i % 2);

@@ -14,7 +14,7 @@ final class Hall {
   private Hall() {}
 
   /**
-   * The setup of cameras and targets in the hall.
+   * Returns a setup of cameras and targets in the hall.
    *
    * @param slow the numbers of cameras that need time to turn
    */
@@ -46,9 +46,9 @@ final class Hall {
   }
 
   /**
-   * A frame of the hall.
+   * Returns a frame of the hall.
    *
-   * @param seeing by camera, the view that it has, -1 while it turns
+   * @param seeing by camera: the view that it has, -1 while it turns
    * @param present whether the targets are there
    */
   static Frame frame(int step, int[] seeing, boolean present, double[] x, double[] y) {
@@ -58,14 +58,14 @@ final class Hall {
       online[camera] = true;
       level[camera] = Math.max(0, seeing[camera]);
     }
-    boolean[] there = new boolean[x.length];
-    Arrays.fill(there, present);
+    boolean[] targetsPresent = new boolean[x.length];
+    Arrays.fill(targetsPresent, present);
     return new Frame(
         step,
         online,
         level,
         new int[seeing.length],
-        there,
+        targetsPresent,
         x,
         y,
         new int[x.length],

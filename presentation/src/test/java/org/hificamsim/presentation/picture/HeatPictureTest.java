@@ -28,16 +28,21 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Pictures of a field of 30 x 20 m in six cells of ten metres. */
+/** Tests pictures of heat maps, on a field of 30 x 20 m with six cells of ten metres. */
 class HeatPictureTest {
-  private static final int WIDTH = 800; // one pixel per point
+  /** The width of pictures with one pixel per point. */
+  private static final int WIDTH = 800;
+
   private static final Field FIELD = Hall.FIELD;
   private static final double NONE = Double.NaN;
   private static final Color NEVER = new Color(0xD55E00);
-  private static final double[] SAME = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+  /** The matrix of an eye that sees all colours. */
+  private static final double[] USUAL_EYE = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
   private static final boolean[] STAYS = {true, true, true, true};
 
-  /** From the lower left: never covered, by half a camera, by two; then three that differ. */
+  /** A map with a cell that no camera covers, one in an obstacle, and four that differ. */
   private static final HeatMap MAP =
       new HeatMap(
           new FieldCells(FIELD, 3, 2),
@@ -50,7 +55,7 @@ class HeatPictureTest {
               new Place(1.7, 0, 0.3, 0.7, 30, 1, 0)));
 
   @Test
-  void paintsCellsInColoursOfScale() {
+  void cellsHaveColoursOfScale() {
     BufferedImage image = image(HeatFigure.MEAN_K, frames(false, STAYS));
     assertHatched(image, 5.3, 5.2);
     assertSeen(0.25, colorAt(image, 15.3, 5.2));
@@ -60,7 +65,7 @@ class HeatPictureTest {
   }
 
   @Test
-  void scalesVisitsByLogarithm() {
+  void scaleOfVisitsIsLogarithmic() {
     BufferedImage visits = image(HeatFigure.VISITS, frames(false, STAYS));
     assertEquals(Color.WHITE, colorAt(visits, 5.3, 5.2), "nobody was there");
     assertSeen(1 / 3.0, colorAt(visits, 15.3, 15.2));
@@ -70,7 +75,7 @@ class HeatPictureTest {
   }
 
   @Test
-  void paintsWhiteGroundToLastRow() {
+  void groundIsWhiteToLastRowOfPixels() {
     for (int width = 400; width < 500; width += 7) {
       BufferedImage image =
           FigureFile.image(new HeatPicture(frames(false, STAYS), MAP, HeatFigure.MEAN_K, 1), width);
@@ -79,7 +84,7 @@ class HeatPictureTest {
   }
 
   @Test
-  void labelsScaleWithFewRoundNumbers() {
+  void scaleHasFewRoundNumbers() {
     assertEquals(List.of(0.0, 0.25, 0.5, 0.75, 1.0), HeatFigure.MEAN_K.ticks(1));
     assertEquals("0.25 1", HeatFigure.MEAN_K.tick(0.25) + " " + HeatFigure.MEAN_K.tick(1));
     assertEquals(List.of(0.0, 3.0, 6.0, 9.0, 12.0), HeatFigure.MEAN_K.ticks(14));
@@ -90,7 +95,7 @@ class HeatPictureTest {
   }
 
   @Test
-  void writesLegendAndSummary() throws IOException {
+  void pictureHasLegendAndSummary() throws IOException {
     ByteArrayOutputStream svg = new ByteArrayOutputStream();
     FigureFile.write(
         svg, "svg", new HeatPicture(frames(false, STAYS), MAP, HeatFigure.COVERED_K, 1));
@@ -102,7 +107,7 @@ class HeatPictureTest {
     assertTrue(text.contains("of the area 20.0 % never"), "summary");
   }
 
-  /** Machado, Oliveira and Fernandes, IEEE TVCG 15 (2009), severity 1. */
+  /** The matrices of eyes are from Machado, Oliveira and Fernandes, IEEE TVCG 15 (2009). */
   @ParameterizedTest
   @ValueSource(
       strings = {
@@ -124,7 +129,7 @@ class HeatPictureTest {
   }
 
   @Test
-  void breaksTrackWhileTargetIsAbsent() {
+  void trackIsBrokenWhileTargetIsAbsent() {
     boolean[] away = {true, false, false, true};
     BufferedImage image = image(HeatFigure.VISITS, frames(true, away));
     BufferedImage bare = image(HeatFigure.VISITS, frames(false, away));
@@ -149,21 +154,21 @@ class HeatPictureTest {
     assertTrue(darkest < 130, "a line, whose blue is " + darkest);
   }
 
-  /** A colour of the scale as it looks on white. */
+  /** Returns a colour of the scale as it looks on white. */
   private static Color seen(double share) {
     return frames(false, STAYS).script().scale(1000).get(Math.min(999, (int) (1000 * share)));
   }
 
   private static void assertSeen(double share, Color color) {
-    double[] wanted = lab(seen(share), SAME);
-    assertTrue(difference(wanted, lab(color, SAME)) < 1, color + " instead of " + seen(share));
+    double[] wanted = lab(seen(share), USUAL_EYE);
+    assertTrue(difference(wanted, lab(color, USUAL_EYE)) < 1, color + " instead of " + seen(share));
   }
 
   private static double difference(double[] a, double[] b) {
     return Math.sqrt(IntStream.range(0, 3).mapToDouble(i -> Math.pow(a[i] - b[i], 2)).sum());
   }
 
-  /** CIE L*a*b* of a colour as an eye sees it (D65). */
+  /** Returns the CIE L*a*b* values of a colour as an eye sees it (D65). */
   private static double[] lab(Color color, double[] eye) {
     double[] rgb =
         IntStream.of(color.getRed(), color.getGreen(), color.getBlue())
@@ -212,7 +217,7 @@ class HeatPictureTest {
         setup, recording, new Look(0.5, OptionalInt.empty(), tracks), Optional.empty());
   }
 
-  /** A target that goes east, two metres a step. */
+  /** Returns a frame of a target that goes east, two metres a step. */
   private static Frame frame(int step, boolean present) {
     return Hall.frame(step, new int[0], present, new double[] {2 + 2 * step}, new double[] {17});
   }

@@ -7,20 +7,24 @@ import org.hificamsim.core.scenario.spec.Field;
 /** Converts metres of a field to pixels of a picture with one pixel per point. */
 record Places(Field field) {
   private static final double WIDTH = StepPicture.WIDTH - 2.0 * StepPicture.MARGIN;
-  private static final double LEFT = 46; // for the numbers at the left, points
-  private static final double DOWN = 36;
 
-  /** Points per metre if the field takes the whole width. */
+  /** The space for numbers at the left, points. */
+  private static final double LEFT_SPACE = 46;
+
+  /** The space above the field, points. */
+  private static final double TOP_SPACE = 36;
+
+  /** Returns the points per metre of a field that takes the whole width. */
   double scale() {
-    return (WIDTH - 2 * LEFT) / field.width();
+    return (WIDTH - 2 * LEFT_SPACE) / field.width();
   }
 
   double x(double metres) {
-    return StepPicture.MARGIN + LEFT + scale() * (metres - field.minX());
+    return StepPicture.MARGIN + LEFT_SPACE + scale() * (metres - field.minX());
   }
 
   double y(double metres) {
-    return StepPicture.HEADING_HEIGHT + DOWN + scale() * (field.maxY() - metres);
+    return StepPicture.HEADING_HEIGHT + TOP_SPACE + scale() * (field.maxY() - metres);
   }
 
   Color color(BufferedImage image, double x, double y) {

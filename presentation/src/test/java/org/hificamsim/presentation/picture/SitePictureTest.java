@@ -26,9 +26,11 @@ import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 import org.junit.jupiter.api.Test;
 
-/** Pictures of a camera at (5, 10) that looks east, with a wall at x = 10 in its way. */
+/** Tests pictures of a camera at (5, 10) that looks east, with a wall at x = 10 in its way. */
 class SitePictureTest {
-  private static final int WIDTH = 800; // one pixel per point
+  /** The width of pictures with one pixel per point. */
+  private static final int WIDTH = 800;
+
   private static final Field FIELD = Hall.FIELD;
   private static final Obstacle WALL = new Obstacle.Wall(10, 8, 10, 12, 0);
 
@@ -41,7 +43,7 @@ class SitePictureTest {
   private static final Color WALL_COLOR = new Color(0x1D2733);
 
   @Test
-  void hatchesWhatWallHides() {
+  void areaHiddenByWallIsHatched() {
     BufferedImage image = image(setup(List.of(WALL), VISIBLE, List.of()), 1, Look.DEFAULT);
     assertEquals(LIT, colorAt(image, 8.3, 10.2));
     assertShadow(image, 12.3, 10.2);
@@ -62,21 +64,21 @@ class SitePictureTest {
   }
 
   @Test
-  void paintsNoDetectionRangeOfTurningCamera() {
+  void cameraThatTurnsHasNoDetectionRange() {
     BufferedImage image = image(setup(List.of(WALL), VISIBLE, List.of()), -1, Look.DEFAULT);
     assertEquals(Color.WHITE, colorAt(image, 8.3, 10.2));
     assertEquals(Color.WHITE, colorAt(image, 12.3, 10.2));
   }
 
   @Test
-  void turnsViewByPan() {
+  void viewIsTurnedByItsPan() {
     BufferedImage image = image(setup(List.of(), List.of(), List.of()), 0, Look.DEFAULT);
     assertEquals(Color.WHITE, colorAt(image, 8.3, 10.2));
     assertEquals(LIT, colorAt(image, 5.3, 14.2), "a quarter to the left");
   }
 
   @Test
-  void paintsTransparentObstaclesPaler() {
+  void transparentObstaclesArePaler() {
     Obstacle solid = new Obstacle.Pillar(20, 16, 1.5, 0);
     Obstacle pale = new Obstacle.Pillar(25, 16, 1.5, 0.3);
     BufferedImage image = image(setup(List.of(solid, pale), List.of(), List.of()), 0, Look.DEFAULT);
@@ -86,7 +88,7 @@ class SitePictureTest {
   }
 
   @Test
-  void paintsDensityZonesOfChosenCamera() {
+  void chosenCameraHasDensityZones() {
     Setup setup = setup(List.of(), List.of(), List.of());
     BufferedImage image = image(setup, 1, new Look(0.5, OptionalInt.of(0), false));
     Color characterise = colorAt(image, 6.3, 10.4); // 500 px/m at a metre: characterise to 2 m
@@ -102,7 +104,7 @@ class SitePictureTest {
   }
 
   @Test
-  void paintsFloorPlanWithOpacity() throws IOException {
+  void floorPlanHasOpacityOfLook() throws IOException {
     Setup setup = setup(List.of(), List.of(), List.of(floor()));
     Color half = colorAt(image(setup, 1, Look.DEFAULT), 20.3, 17.3);
     assertEquals(255, half.getRed());
@@ -116,7 +118,7 @@ class SitePictureTest {
   }
 
   @Test
-  void paintsWiderTargetsLarger() {
+  void widerTargetsAreLarger() {
     Setup setup = setup(List.of(), List.of(), List.of());
     RunFrames frames = frames(setup, 1, Look.DEFAULT, true);
     BufferedImage image = FigureFile.image(new StepPicture(frames, 0), WIDTH);

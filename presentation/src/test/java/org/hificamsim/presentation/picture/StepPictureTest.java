@@ -40,9 +40,11 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Pictures of recorded steps: to scale, in the colours of coverage. */
+/** Tests pictures and animations of recorded steps. */
 class StepPictureTest {
-  private static final int WIDTH = 800; // one pixel per point
+  /** The width of pictures with one pixel per point. */
+  private static final int WIDTH = 800;
+
   private static final Color[] COVER = {
     new Color(0xD55E00), new Color(0xE69F00), new Color(0x56B4E9), new Color(0x009E73)
   };
@@ -77,7 +79,7 @@ class StepPictureTest {
   }
 
   @Test
-  void omitsTrailsFarOutside(@TempDir Path folder) throws IOException {
+  void trailsFarOutsideAreLeftOut(@TempDir Path folder) throws IOException {
     RunFrames far =
         recorded(
             ScenarioReader.read(
@@ -111,7 +113,7 @@ class StepPictureTest {
       """;
 
   @Test
-  void paintsTargetsInColourOfCoverage() {
+  void targetsHaveColourOfTheirCoverage() {
     Set<Integer> seen = new HashSet<>();
     for (int step = 0; step < 300; step += 7) {
       BufferedImage image = FigureFile.image(new StepPicture(run, step), WIDTH);
@@ -146,7 +148,7 @@ class StepPictureTest {
   }
 
   @Test
-  void animatesPicturesForEver() throws IOException {
+  void animationShowsPicturesAndRepeatsForEver() throws IOException {
     Animation animation = new Animation(run, 100, 130, 7);
     assertEquals(6, animation.pictures()); // 100, 107, ..., 128, 130
     ByteArrayOutputStream out = new ByteArrayOutputStream();
@@ -193,14 +195,14 @@ class StepPictureTest {
   }
 
   @Test
-  void thinsLongAnimations() {
+  void longAnimationLeavesOutSteps() {
     Animation animation = Animation.of(run, 0, 299);
     assertEquals(2, animation.stepsApart());
     assertEquals(151, animation.pictures());
   }
 
   @Test
-  void reportsStepsThatWereNotRecorded() {
+  void stepThatWasNotRecordedIsRefused() {
     assertEquals(299, run.indexOf("--step", 299));
     String message =
         assertThrows(InputException.class, () -> run.indexOf("--step", 300)).getMessage();

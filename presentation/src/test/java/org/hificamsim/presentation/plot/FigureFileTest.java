@@ -56,7 +56,7 @@ class FigureFileTest {
   }
 
   @Test
-  void writesPngWithTwoPixelsPerPoint() throws IOException {
+  void pngHasTwoPixelsPerPoint() throws IOException {
     BufferedImage image = ImageIO.read(new ByteArrayInputStream(png()));
     assertEquals(FigureFile.SCALE * figure().width(), image.getWidth());
     assertEquals(FigureFile.SCALE * figure().height(), image.getHeight());
@@ -68,7 +68,7 @@ class FigureFileTest {
   }
 
   @Test
-  void writesWellFormedSvgWithoutDtd() throws Exception {
+  void svgIsWellFormedAndHasNoDtd() throws Exception {
     DocumentBuilderFactory factory = DocumentBuilderFactory.newInstance();
     factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
     Document document = factory.newDocumentBuilder().parse(new ByteArrayInputStream(svg()));
@@ -80,7 +80,7 @@ class FigureFileTest {
   }
 
   @Test
-  void pdfEqualsPng() throws IOException {
+  void pdfLooksLikePng() throws IOException {
     BufferedImage png = ImageIO.read(new ByteArrayInputStream(png()));
     BufferedImage pdf = page(written("pdf"), 72 * FigureFile.SCALE);
     assertEquals(png.getWidth(), pdf.getWidth());
@@ -104,14 +104,14 @@ class FigureFileTest {
   }
 
   @Test
-  void writesSameBytesForSameFigure() throws IOException {
+  void filesOfSameFigureHaveSameBytes() throws IOException {
     for (String format : FigureFile.FORMATS) {
       assertArrayEquals(written(format), written(format), format);
     }
   }
 
   @Test
-  void writesSameBytesOnSeveralThreads() throws IOException {
+  void filesDrawnBySeveralThreadsHaveSameBytes() throws IOException {
     List<Integer> seeds = IntStream.range(0, 12).boxed().toList();
     List<FigureFile.Drawn> drawn = Parallel.map(seeds, 4, FigureFileTest::drawn);
     for (int seed : seeds) {
@@ -131,7 +131,7 @@ class FigureFileTest {
   }
 
   @Test
-  void startsNewRowOfPanels() {
+  void figureOfOneColumnHasRowForEachPanel() {
     Figure wide = figure();
     Figure tall = new Figure(wide.title(), wide.note(), wide.legend(), wide.panels(), 1, 300, 200);
     assertEquals(wide.height() + 200, tall.height());
@@ -139,7 +139,7 @@ class FigureFileTest {
   }
 
   @Test
-  void breaksLongNote() throws IOException {
+  void longNoteIsBrokenIntoLines() throws IOException {
     Figure figure = figure();
     String note = "Means over seeds with 95% bootstrap intervals; ".repeat(4).strip();
     Figure withNote =
@@ -160,7 +160,7 @@ class FigureFileTest {
   }
 
   @Test
-  void keepsTextReadableInPrintAtAnyWidth(@TempDir Path folder) throws Exception {
+  void textHasSameSizeInPrintAtAnyWidth(@TempDir Path folder) throws Exception {
     for (int millimetres : new int[] {88, 180}) {
       try (OutputFolder out = new OutputFolder(folder)) {
         FigureFile.draw(figure(), Optional.of(new PrintWidth(millimetres))).write(out, "a");
@@ -189,7 +189,7 @@ class FigureFileTest {
   }
 
   @Test
-  void rejectsInvalidWidths() {
+  void wrongWidthsAreRefused() {
     for (String width : List.of("88", "88cm", "39mm", "401mm", "wide")) {
       InputException error = assertThrows(InputException.class, () -> PrintWidth.parse(width));
       assertTrue(error.getMessage().startsWith("figure_width is '" + width + "', expected "));

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 class LowessTest {
   @Test
-  void keepsStraightLines() {
+  void straightLineStaysSame() {
     Curve smooth = Lowess.smooth(Curve.of(line(10_000)));
     assertEquals(500, smooth.size());
     for (int i = 0; i < smooth.size(); i++) {
@@ -19,7 +19,7 @@ class LowessTest {
   }
 
   @Test
-  void removesMostNoise() {
+  void mostNoiseIsRemoved() {
     double[] noisy = line(2000);
     SplittableRandom random = new SplittableRandom(5);
     Arrays.setAll(noisy, i -> noisy[i] + random.nextDouble() - 0.5);
@@ -30,20 +30,20 @@ class LowessTest {
   }
 
   @Test
-  void keepsShortCurves() {
+  void shortCurveStaysSame() {
     Curve curve = Curve.of(new double[] {0, 1, 0, 1});
     assertArrayEquals(curve.y(), Lowess.smooth(curve).y());
   }
 
   @Test
-  void thinsToMeansOfNeighbours() {
+  void thinnedCurveHasMeansOfNeighbours() {
     Curve thin = Curve.of(new double[] {1, 3, 5, 7, 9, 11}).thinned(3);
     assertArrayEquals(new double[] {0.5, 2.5, 4.5}, thin.x());
     assertArrayEquals(new double[] {2, 6, 10}, thin.y());
   }
 
   @Test
-  void thinningUsesAllPoints() {
+  void thinnedCurveUsesAllPoints() {
     double[] ones = new double[1003];
     Arrays.fill(ones, 1);
     Curve thin = Curve.of(ones).thinned(7);

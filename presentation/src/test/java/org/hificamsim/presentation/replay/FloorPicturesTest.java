@@ -25,7 +25,7 @@ class FloorPicturesTest {
   @TempDir Path folder;
 
   @Test
-  void keepsSmallPictures() throws IOException {
+  void smallPictureStaysSame() throws IOException {
     draw(60, 40, "png", "plan.png");
     Setup.Floor picture = read("plan.png").get(0);
     assertTrue(picture.data().startsWith("data:image/png;base64,"));
@@ -36,7 +36,7 @@ class FloorPicturesTest {
   }
 
   @Test
-  void scalesLargePicturesDown() throws IOException {
+  void largePictureIsScaledDown() throws IOException {
     draw(9000, 300, "png", "plan.png");
     Setup.Floor picture = read("plan.png").get(0);
     assertEquals(2000, FloorPictures.image(picture).getWidth());
@@ -46,7 +46,7 @@ class FloorPicturesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"none.png", "hall.xml", ".", "cut.png", "\u0000"})
-  void reportsInvalidPicturesInOneLine(String name) throws IOException {
+  void fileThatIsNoPictureIsReportedInOneLine(String name) throws IOException {
     draw(60, 40, "png", "plan.png");
     byte[] whole = Files.readAllBytes(folder.resolve("plan.png"));
     Files.write(folder.resolve("cut.png"), java.util.Arrays.copyOf(whole, 60));
@@ -62,7 +62,7 @@ class FloorPicturesTest {
   }
 
   @Test
-  void rejectsInvalidPicturesInRecordings() {
+  void wrongPictureInRecordingIsRefused() {
     Field field = new Field(0, 1, 0, 1);
     for (String data : List.of("", "data:image/png;base64,AAAA", "data:image/png;base64,?")) {
       assertThrows(

@@ -26,7 +26,7 @@ class OutlookTest {
   private static final double REACH = 8;
 
   @Test
-  void excludesWhatWallHides() {
+  void areaBehindWallIsHidden() {
     List<Double> ring = new Outlook(List.of(WALL), FIELD).from(5, 10, Double.NaN, 15);
     Path2D path = path(ring);
     assertTrue(path.contains(9.9, 10) && path.contains(0.1, 10) && path.contains(12, 2));
@@ -34,7 +34,7 @@ class OutlookTest {
   }
 
   @Test
-  void needsFewCornersWithoutObstacles() {
+  void regionWithoutObstaclesHasFewCorners() {
     List<Double> ring = new Outlook(List.of(WALL), FIELD).from(29, 10, Double.NaN, 8);
     assertTrue(ring.size() < 2 * 40, ring.size() / 2 + " corners");
     Path2D path = path(ring);
@@ -46,7 +46,7 @@ class OutlookTest {
   }
 
   @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
-  void containsExactlyVisiblePlaces(@ForAll long seed) {
+  void regionContainsExactlyPlacesInSight(@ForAll long seed) {
     Random random = new Random(seed);
     Obstacles obstacles = new Obstacles(Stream.generate(() -> obstacle(random)).limit(8).toList());
     Point camera = point(random);
@@ -105,7 +105,7 @@ class OutlookTest {
 
   /** A wall a tenth of a millimetre below the camera hides half of what is in reach. */
   @Test
-  void excludesWhatCloseWallHides() {
+  void closeWallHidesHalfOfReach() {
     Path2D path = path(fromOrigin(new Obstacle.Wall(-0.6, -1e-4, 5, -1e-4, 0)));
     assertTrue(path.contains(1, 0.1) && path.contains(-1, 0.1) && path.contains(0, 7));
     assertFalse(path.contains(1, -0.1) || path.contains(0, -7) || path.contains(-4, -0.1));
@@ -113,7 +113,7 @@ class OutlookTest {
 
   /** The camera is on the wall's line up to rounding, which decides the side. */
   @Test
-  void seesOneSideOfWallThatItIsOn() {
+  void cameraOnWallSeesOneSide() {
     Obstacles wall = new Obstacles(List.of(new Obstacle.Wall(-2, 2.3, 2.8, -0.9, 0)));
     assertTrue(wall.clear(1.3, 0.1, 2.2, 0));
     Path2D path = path(new Outlook(wall.all(), AROUND).from(1.3, 0.1, Double.NaN, 1));
@@ -121,16 +121,16 @@ class OutlookTest {
     assertFalse(path.contains(0.9, -0.4));
   }
 
-  /** Walls that cross 3 m ahead, at (3, 0). */
+  /** Two pairs of walls cross, at (3, 0) and at (3, 0.5). */
   @Test
-  void hasCornerWhereWallsCross() {
+  void regionHasCornerWhereWallsCross() {
     assertCorner(3, 0, new Obstacle.Wall(2, -1, 5, 2, 0), new Obstacle.Wall(2, 1, 5, -2, 0));
     assertCorner(3, 0.5, new Obstacle.Wall(2, -2, 4, 3, 0), new Obstacle.Wall(1, 1.5, 5, -0.5, 0));
   }
 
   /** A pillar at (4, 2) of radius 1, as seen from the origin. */
   @Test
-  void roundsPillars() {
+  void borderAtPillarIsRound() {
     List<Double> ring = fromOrigin(new Obstacle.Pillar(4, 2, 1, 0));
     long border =
         IntStream.range(0, ring.size() / 2)
@@ -154,13 +154,13 @@ class OutlookTest {
   }
 
   @Test
-  void ignoresTransparentObstacles() {
+  void transparentObstaclesHideNothing() {
     Obstacle glass = new Obstacle.Wall(10, 5, 10, 15, 0.5);
     assertEquals(List.of(), new Outlook(List.of(glass), FIELD).from(5, 10, Double.NaN, 15));
   }
 
   @Test
-  void seesNothingFromInsideObstacle() {
+  void cameraInObstacleSeesItsOwnPlaceOnly() {
     assertEquals(
         List.of(10.0, 10.0), new Outlook(List.of(WALL), FIELD).from(10, 10, Double.NaN, 15));
   }
@@ -176,7 +176,7 @@ class OutlookTest {
   }
 
   @Test
-  void looksOverLowerObstacles() {
+  void cameraLooksOverLowerObstacles() {
     Outlook outlook = new Outlook(List.of(WALL.between(0, 3)), FIELD);
     assertEquals(List.of(), outlook.from(5, 10, 3.1, 15));
     List<Double> hidden = new Outlook(List.of(WALL), FIELD).from(5, 10, Double.NaN, 15);

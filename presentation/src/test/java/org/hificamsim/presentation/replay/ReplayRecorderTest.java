@@ -47,7 +47,7 @@ class ReplayRecorderTest {
         "cooperative",
         "zoom-out"
       })
-  void keepsStepsToTheMillimetre(String policy) throws IOException {
+  void recordedStepsAreExactToMillimetre(String policy) throws IOException {
     RunPlan plan = plan("cluster-random", policy, 300, 1);
     List<Frame> seen = record(plan, ReplayRecorder.Limits.DEFAULT);
     RecordedRun recording = Replay.read(folder).recording(folder, 0);
@@ -60,7 +60,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void thinsLongRunsButKeepsLastStep() throws IOException {
+  void longRunIsThinnedButKeepsLastStep() throws IOException {
     RunPlan plan = plan("lattice-random", "sarsa", 1000, 1);
     List<Frame> seen = record(plan, new ReplayRecorder.Limits(100, 1 << 20, 1 << 20));
     RecordedRun recording = Replay.read(folder).recording(folder, 0);
@@ -75,7 +75,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void thinsUntilTheBytesFit() throws IOException {
+  void runIsThinnedUntilItsBytesFit() throws IOException {
     record(
         plan("lattice-random", "sarsa", 1000, 1),
         new ReplayRecorder.Limits(10_000, 1 << 20, 20_000));
@@ -86,7 +86,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void keepsTwoFramesIfSetupIsTooLarge() throws IOException {
+  void firstAndLastFrameStayIfSetupIsTooLarge() throws IOException {
     record(plan("lattice-random", "sarsa", 100, 2), new ReplayRecorder.Limits(10_000, 1 << 20, 10));
     Replay replay = Replay.read(folder);
     assertEquals(1, replay.runs().size());
@@ -97,7 +97,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void keepsAsManyRepeatsAsFit() throws IOException {
+  void asManyRepeatsAreRecordedAsFit() throws IOException {
     RunPlan plan = plan("lattice-random", "sarsa", 200, 5);
     record(plan, ReplayRecorder.Limits.DEFAULT);
     Replay unlimited = Replay.read(folder);
@@ -113,7 +113,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void recordsCamerasChangedByEvents() throws IOException {
+  void camerasThatEventsChangeAreRecorded() throws IOException {
     Path scenario = folder.resolve("moving.xml");
     Files.writeString(
         scenario,
@@ -137,7 +137,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void recordsTurningCamerasAndObstacles() throws IOException {
+  void turningCamerasAndObstaclesAreRecorded() throws IOException {
     Path hall = SCENARIOS.resolveSibling("src/test/resources/seen/hall.xml");
     RunPlan plan = plan(hall, "epsilon-greedy:epsilon=0.5", 100, 1);
     List<Frame> seen = record(plan, ReplayRecorder.Limits.DEFAULT);
@@ -163,7 +163,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void omitsWhatScenarioDoesNotHave() throws IOException {
+  void recordingLeavesOutWhatScenarioDoesNotHave() throws IOException {
     record(plan("lattice-random", "zoom-out", 3, 1), ReplayRecorder.Limits.DEFAULT);
     String json = Files.readString(folder.resolve(ResultFolder.REPLAY));
     for (String name :
@@ -173,7 +173,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void recordsDetectionRanges() throws IOException {
+  void distancesOfDetectionAreRecorded() throws IOException {
     record(plan("lattice-random", "zoom-out", 1, 1), ReplayRecorder.Limits.DEFAULT);
     Setup setup = Replay.read(folder).setup();
     assertEquals("lattice-random", setup.scenario());
@@ -195,7 +195,7 @@ class ReplayRecorderTest {
         "{\"format\":\"hificamsim-replay-0\",\"repeat\":1,\"setup\":null,\"runs\":[]}",
         ""
       })
-  void rejectsOtherFilesInOneLine(String text) throws IOException {
+  void otherFileIsRefusedByName(String text) throws IOException {
     Files.writeString(folder.resolve(ResultFolder.REPLAY), text);
     InputException refused = assertThrows(InputException.class, () -> Replay.read(folder));
     assertTrue(refused.getMessage().contains("replay.json"), refused.getMessage());
@@ -210,7 +210,7 @@ class ReplayRecorderTest {
         "\"kind\":\"wall\"|\"kind\":\"door\"",
         "\"radius\":0.8|\"radius\":-1",
       })
-  void rejectsInconsistentPosesInOneLine(String change) throws IOException {
+  void inconsistentPoseIsRefusedInOneLine(String change) throws IOException {
     Path hall = SCENARIOS.resolveSibling("src/test/resources/seen/hall.xml");
     record(plan(hall, "zoom-out", 3, 1), ReplayRecorder.Limits.DEFAULT);
     Path file = folder.resolve(ResultFolder.REPLAY);
@@ -224,7 +224,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void rejectsDataThatEndEarly() throws IOException {
+  void dataThatEndEarlyAreRefused() throws IOException {
     record(plan("lattice-random", "sarsa", 50, 1), ReplayRecorder.Limits.DEFAULT);
     Path file = folder.resolve(ResultFolder.REPLAY);
     Files.writeString(file, Files.readString(file).replaceFirst("\"frames\":50", "\"frames\":49"));

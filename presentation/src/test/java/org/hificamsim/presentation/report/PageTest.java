@@ -20,7 +20,7 @@ class PageTest {
       new Page(HOSTILE, "run-page.js", "runPage", "{\"name\":\"" + HOSTILE + "\"}").html();
 
   @Test
-  void escapesTextsThatEndElements() {
+  void textsCannotEndElements() {
     assertFalse(html.contains("<img"));
     assertTrue(html.contains("<title>&lt;/script&gt;"));
     assertTrue(html.contains("\\u003c/script>"));
@@ -28,7 +28,7 @@ class PageTest {
   }
 
   @Test
-  void allowsOnlyOwnScripts() throws Exception {
+  void pageAllowsItsOwnScriptsOnly() throws Exception {
     String policy =
         html.replaceFirst("(?s).*Content-Security-Policy\" content=\"([^\"]*)\".*", "$1");
     assertTrue(policy.startsWith("default-src 'none';"), policy);
@@ -47,13 +47,13 @@ class PageTest {
   }
 
   @Test
-  void includesLicenceOfUplot() {
+  void pageHasLicenceOfUplot() {
     assertTrue(html.contains("The MIT License (MIT)") && html.contains("Leon Sorokin"));
   }
 
   @ParameterizedTest
   @CsvSource({"run-page.js", "comparison-page.js"})
-  void bundlesModulesOnceAfterTheirImports(String entry) {
+  void bundleHasEachModuleOnceAfterItsImports(String entry) {
     String bundle = Scripts.bundle(entry);
     assertFalse(Pattern.compile("(?m)^(import|export) ").matcher(bundle).find(), "left over");
     assertEquals(1, bundle.split("const module_dom = ", -1).length - 1);

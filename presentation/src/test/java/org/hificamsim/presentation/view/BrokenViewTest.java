@@ -27,7 +27,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The server when clients block it, and when the simulation fails. */
+/** Tests the server when clients block it, and when the simulation fails. */
 @Timeout(60)
 class BrokenViewTest {
   /** Much less than the time that an incomplete request may take. */
@@ -73,7 +73,7 @@ class BrokenViewTest {
   }
 
   @Test
-  void closesIncompleteRequestsWithoutBlockingOthers() throws Exception {
+  void incompleteRequestsAreClosedAndBlockNoOthers() throws Exception {
     for (int i = 0; i < INCOMPLETE_REQUESTS; i++) {
       sockets.add(incompleteRequest());
     }
@@ -91,7 +91,7 @@ class BrokenViewTest {
   }
 
   @Test
-  void reportsFailedCommandAndGoesOn() throws Exception {
+  void failedCommandIsReportedAndSessionGoesOn() throws Exception {
     HttpResponse<String> answer =
         command(
             "choose\",\"side\":0,\"detection\":\"geometric\",\"threshold\":null,\"policy\":\"unready");
@@ -102,7 +102,7 @@ class BrokenViewTest {
   }
 
   @Test
-  void endsSessionOnErrorInStep() throws Exception {
+  void errorInStepEndsSession() throws Exception {
     HttpResponse<String> answer = steps(10);
     assertEquals(503, answer.statusCode());
     assertEquals("the session has ended: OutOfMemoryError: in a test\n", answer.body());
@@ -112,14 +112,14 @@ class BrokenViewTest {
   }
 
   @Test
-  void endsSessionOnErrorBetweenCommands() throws Exception {
+  void errorBetweenCommandsEndsSession() throws Exception {
     assertEquals(204, command("run").statusCode());
     assertThrows(OutOfMemoryError.class, () -> server.awaitEnd());
     assertEquals(503, command("pause").statusCode());
   }
 
   @Test
-  void rejectsCommandsAfterSessionIsClosed() {
+  void commandsAreRefusedAfterSessionIsClosed() {
     session.close();
     assertThrows(
         ExecutionException.class,

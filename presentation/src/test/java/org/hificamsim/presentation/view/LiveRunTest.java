@@ -37,7 +37,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A live run, and what commands change in it. */
+/** Tests a live run, and how commands change it. */
 class LiveRunTest {
   private static final LiveChoice CHOICE = new LiveChoice("hifi:orb-lin", null, "epsilon-greedy");
   private final Catalogue catalogue = Catalogue.load();
@@ -55,7 +55,7 @@ class LiveRunTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"cluster-random", "lattice-scripted"})
-  void makesSameStepsAsSimulation(String name) {
+  void liveRunMakesSameStepsAsSimulation(String name) {
     Scenario scenario = Scenarios.read(name);
     World world = new World(scenario, catalogue.movements(), 5);
     Detection detection = Detection.of(catalogue.detection("hifi:orb-lin"));
@@ -83,7 +83,7 @@ class LiveRunTest {
   }
 
   @Test
-  void recordsHeatMapFromNextStepWithoutChangingSteps() {
+  void heatMapBeginsWithNextStepAndChangesNoStep() {
     LiveRun live = live("cluster-random", 5);
     LiveRun withoutHeat = live("cluster-random", 5);
     steps(live, 10);
@@ -108,7 +108,7 @@ class LiveRunTest {
   }
 
   @Test
-  void showsSameTargetsToSimulationAddedLater() {
+  void simulationThatIsAddedLaterHasSameTargets() {
     LiveRun live = live("cluster-random", 3);
     steps(live, 70);
     live.compare(true);
@@ -126,7 +126,7 @@ class LiveRunTest {
   }
 
   @Test
-  void keepsTargetsOnNewChoice() {
+  void targetsStayWhenChoiceChanges() {
     LiveRun changed = live("ring-random", 1);
     LiveRun same = live("ring-random", 1);
     for (int step = 0; step < 100; step++) {
@@ -142,7 +142,7 @@ class LiveRunTest {
   }
 
   @Test
-  void movesCameraInBothSimulations() {
+  void cameraIsMovedInBothSimulations() {
     LiveRun live = live("lattice-random", 0);
     live.compare(true);
     steps(live, 2);
@@ -162,7 +162,7 @@ class LiveRunTest {
   }
 
   @Test
-  void sendsAllPosesAfterComparing() {
+  void stepAfterComparingHasAllPoses() {
     LiveRun live = live("cluster-random", 0);
     steps(live, 2);
     live.drag(2, 0, 0);
@@ -180,7 +180,7 @@ class LiveRunTest {
   }
 
   @Test
-  void keepsHeadingInAddedSimulationAndAfterRestart() {
+  void headingStaysInAddedSimulationAndAfterRestart() {
     LiveRun live = live("lattice-random", 0);
     steps(live, 2);
     live.turn(1, 30);
@@ -196,7 +196,7 @@ class LiveRunTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"cluster-random", "tutorial-camsim"})
-  void addsCameraWithoutChangingTargets(String name) {
+  void addedCameraDoesNotChangeTargets(String name) {
     LiveRun live = live(name, 4);
     LiveRun same = live(name, 4);
     steps(live, 30);
@@ -224,7 +224,7 @@ class LiveRunTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"cluster-scripted", "tutorial-camsim"})
-  void writesEditedScenarioThatRunsTheSame(String name) {
+  void editedScenarioRunsSameAfterWritingAndReading(String name) {
     LiveRun live = live(name, 7);
     live.drag(1, 0.125, -0.5);
     live.turn(1, 77.5);
@@ -240,7 +240,7 @@ class LiveRunTest {
   }
 
   @Test
-  void hidesTargetsBehindWallUntilRemoved() {
+  void wallHidesTargetsUntilItIsRemoved() {
     LiveRun live = live(Scenarios.read("ring-scripted"), zoomOut(), 0);
     int withoutWalls = detections(live, 60);
     live.restart(0, true);
@@ -282,7 +282,7 @@ class LiveRunTest {
     "NaN, 0, 0, 0, in the field",
     "0, Infinity, 0, 0, in the field"
   })
-  void rejectsInvalidWalls(double x1, double y1, double x2, double y2, String expected) {
+  void wrongWallsAreRefused(double x1, double y1, double x2, double y2, String expected) {
     LiveRun live = live("ring-random", 0);
     Scenario before = live.scenario();
     InputException refused =
@@ -294,7 +294,7 @@ class LiveRunTest {
   }
 
   @Test
-  void rejectsCamerasInWalls() {
+  void camerasInWallsAreRefused() {
     LiveRun live = live("ring-random", 0);
     CameraSpec first = live.scenario().cameras().get(0);
     assertThrows(
@@ -309,7 +309,7 @@ class LiveRunTest {
   }
 
   @Test
-  void undoesAndRedoesChangesOneByOne() {
+  void changesAreUndoneAndRedoneOneByOne() {
     LiveRun live = live("cluster-scripted", 0);
     Scenario before = live.scenario();
     live.drag(2, 1, 1);
@@ -349,7 +349,7 @@ class LiveRunTest {
   }
 
   @Test
-  void repeatsStepForChangesWhilePaused() {
+  void changeWhilePausedRepeatsStep() {
     LiveRun live = live("cluster-scripted", 0);
     steps(live, 10);
     live.setPaused(true);
@@ -363,7 +363,7 @@ class LiveRunTest {
   }
 
   @Test
-  void warnsOfBlockedTargetUntilWallIsRemoved() {
+  void warningTellsBlockedTargetUntilWallIsRemoved() {
     LiveRun live = live("cluster-scripted", 0);
     assertEquals("", live.warning());
     TargetSpec target = live.scenario().everyTarget().findFirst().orElseThrow();
@@ -385,7 +385,7 @@ class LiveRunTest {
   }
 
   @Test
-  void holdsCameraInView() {
+  void cameraStaysInViewInWhichItIsHeld() {
     LiveRun live = live(Scenarios.hall(), new LiveChoice("hifi:orb-lin", null, "random"), 0);
     live.compare(true);
     live.hold(1, 7);
@@ -405,7 +405,7 @@ class LiveRunTest {
   }
 
   @Test
-  void writesWallsAndOpticsOfEditedScenario() throws Exception {
+  void wallsAndOpticsOfEditedScenarioAreWritten() throws Exception {
     LiveRun live = live(Scenarios.hall(), zoomOut(), 7);
     live.edit(scenario -> addWall(scenario, 25, 15, 28.5, 15));
     live.edit(scenario -> scenario.removeObstacle(1));
@@ -422,7 +422,7 @@ class LiveRunTest {
   }
 
   @Test
-  void detectsTargetsAtDraggedCamera() {
+  void draggedCameraDetectsTargetsAtItsNewPlace() {
     LiveRun live = live(Scenarios.read("ring-random"), zoomOut(), 0);
     LiveRun unchanged = live(Scenarios.read("ring-random"), zoomOut(), 0);
     steps(live, 10);
@@ -440,7 +440,7 @@ class LiveRunTest {
   }
 
   @Test
-  void prefersThresholdOfDetection() {
+  void thresholdInNameOfDetectionComesFirst() {
     LiveRun live = live("cluster-random", 0);
     live.choose(0, new LiveChoice("geometric@0.25", 0.5, "zoom-out"));
     assertEquals(0.25, live.sides().get(0).setup().threshold());
@@ -448,7 +448,7 @@ class LiveRunTest {
   }
 
   @Test
-  void givesSameFramesForSameCommands() {
+  void sameCommandsGiveSameFrames() {
     Consumer<LiveRun> commands =
         live -> {
           live.drag(2, 1, 1);
@@ -485,7 +485,7 @@ class LiveRunTest {
         "geometric | | best-fixed | cannot be viewed live",
         "scenarios/model.json | | zoom-out | unknown detection 'scenarios/model.json'",
       })
-  void rejectsInvalidChoices(String detection, Double threshold, String policy, String expected) {
+  void wrongChoicesAreRefused(String detection, Double threshold, String policy, String expected) {
     LiveRun live = live("cluster-random", 0);
     InputException wrong =
         assertThrows(
@@ -497,13 +497,13 @@ class LiveRunTest {
 
   @ParameterizedTest
   @CsvSource({"-1,0,0", "99,0,0", "0,1e9,0", "0,NaN,0", "0,0,Infinity"})
-  void rejectsInvalidPlaces(int camera, double x, double y) {
+  void wrongPlacesAreRefused(int camera, double x, double y) {
     LiveRun live = live("cluster-random", 0);
     assertThrows(InputException.class, () -> live.drag(camera, x, y));
   }
 
   @Test
-  void keepsLastStepAndAllMovesInFullFeed() {
+  void fullFeedKeepsLastStepAndAllMoves() {
     LiveRun live = live("lattice-random", 0);
     LiveFeed feed = new LiveFeed(10);
     for (int step = 0; step < 100; step++) {

@@ -13,7 +13,7 @@ final class Scenarios {
     return from("scenarios/" + name + ".xml");
   }
 
-  /** A scenario with optics, pans that take time, walls, a polygon and pillars. */
+  /** Reads a scenario with optics, pans that take time, walls, a polygon and pillars. */
   static Scenario hall() {
     return from("src/test/resources/seen/hall.xml");
   }

@@ -40,7 +40,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The requests that the server answers and rejects, and when it ends. */
+/** Tests which requests the server answers and refuses, and when it ends. */
 class ViewServerTest {
   private static final Duration GRACE = Duration.ofMillis(600);
 
@@ -84,7 +84,7 @@ class ViewServerTest {
   }
 
   @Test
-  void sendsPageToAddressWithToken() throws Exception {
+  void addressWithTokenGetsPage() throws Exception {
     HttpResponse<String> page = get(address);
     assertEquals(200, page.statusCode());
     assertEquals("<p>the page</p>", page.body());
@@ -94,7 +94,7 @@ class ViewServerTest {
   }
 
   @Test
-  void makesLongNewTokens() {
+  void tokensAreLongAndDiffer() {
     Set<String> tokens = new HashSet<>();
     for (int i = 0; i < 100; i++) {
       tokens.add(new Guard(80).token());
@@ -105,14 +105,14 @@ class ViewServerTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"/", "/events", "/command", "/0123/", "/%2e%2e/", "/favicon.ico"})
-  void rejectsRequestsWithoutToken(String path) throws Exception {
+  void requestsWithoutTokenAreRefused(String path) throws Exception {
     HttpResponse<String> answer = get(address.resolve(path));
     assertEquals(403, answer.statusCode());
     assertEquals("refused: no token\n", answer.body());
   }
 
   @Test
-  void rejectsSimilarTokens() throws Exception {
+  void similarTokensAreRefused() throws Exception {
     String token = address.getPath().substring(1, address.getPath().length() - 1);
     String last = token.endsWith("0") ? "1" : "0";
     String similar = token.substring(0, token.length() - 1) + last;
@@ -131,7 +131,7 @@ class ViewServerTest {
         "127.0.0.1:PORT\r\nHost: a.b",
         ""
       })
-  void rejectsOtherHosts(String host) throws Exception {
+  void requestsToOtherHostsAreRefused(String host) throws Exception {
     String ownHost = host.replace("PORT", Integer.toString(address.getPort()));
     String request = "GET " + address.getPath() + " HTTP/1.1\r\nHost: " + ownHost + "\r\n\r\n";
     String status = raw(request);
@@ -147,14 +147,14 @@ class ViewServerTest {
     "http://localhost:PORT, 403",
     "http://127.0.0.1:PORT, 204",
   })
-  void rejectsCommandsOfOtherOrigins(String origin, int status) throws Exception {
+  void commandsOfOtherOriginsAreRefused(String origin, int status) throws Exception {
     String ownOrigin = origin.replace("PORT", Integer.toString(address.getPort()));
     HttpRequest.Builder request = post("{\"command\":\"pause\"}").setHeader("Origin", ownOrigin);
     assertEquals(status, send(request).statusCode());
   }
 
   @Test
-  void rejectsForeignStreamsAndCommandsWithoutOrigin() throws Exception {
+  void commandsWithoutOriginAndStreamsOfOtherSitesAreRefused() throws Exception {
     HttpRequest.Builder bare =
         HttpRequest.newBuilder(address.resolve("command"))
             .header("Content-Type", "application/json")
@@ -204,7 +204,7 @@ class ViewServerTest {
         "{\"command\":\"choose\",\"side\":0,\"detection\":\"/etc/passwd\",\"threshold\":null,\"policy\":\"zoom-out\"}"
             + " | unknown detection '/etc/passwd'",
       })
-  void reportsInvalidCommandsInOneLine(String body, String expected) throws Exception {
+  void wrongCommandIsReportedInOneLine(String body, String expected) throws Exception {
     HttpResponse<String> answer = send(post(body));
     assertEquals(400, answer.statusCode(), answer.body());
     assertEquals(1, answer.body().lines().count(), answer.body());
@@ -214,7 +214,7 @@ class ViewServerTest {
   }
 
   @Test
-  void rejectsLargeBodiesAndOtherTypes() throws Exception {
+  void largeBodiesAndOtherTypesAreRefused() throws Exception {
     assertEquals(413, send(post(" ".repeat(5000))).statusCode());
     HttpRequest.Builder form =
         post("{\"command\":\"pause\"}").setHeader("Content-Type", "text/plain");
@@ -225,7 +225,7 @@ class ViewServerTest {
 
   @ParameterizedTest
   @CsvSource({"POST,''", "GET,command", "POST,events", "GET,other", "PUT,command", "GET,../../x"})
-  void answersNotFoundForOtherRequests(String method, String path) throws Exception {
+  void otherRequestsAreNotFound(String method, String path) throws Exception {
     HttpRequest.Builder request =
         HttpRequest.newBuilder(URI.create(address + path))
             .header("Origin", origin())
@@ -235,7 +235,7 @@ class ViewServerTest {
 
   @ParameterizedTest
   @CsvSource({"'', 15", "events, 0", "scenario.xml,"})
-  void answersHeadRequestsWithoutBody(String path, String length) throws Exception {
+  void headRequestsGetHeadersWithoutBody(String path, String length) throws Exception {
     HttpResponse<String> head =
         send(
             HttpRequest.newBuilder(URI.create(address + path))
@@ -248,7 +248,7 @@ class ViewServerTest {
   }
 
   @Test
-  void limitsHalfOpenConnections() throws Exception {
+  void halfOpenConnectionsAreLimited() throws Exception {
     assertEquals(204, send(post("{\"command\":\"pause\"}")).statusCode());
     List<Socket> halfOpen = new ArrayList<>();
     for (int i = 0; i < 150; i++) {
@@ -275,7 +275,7 @@ class ViewServerTest {
   }
 
   @Test
-  void listensOnLoopbackDeviceOnly() throws Exception {
+  void serverListensOnLoopbackDeviceOnly() throws Exception {
     for (NetworkInterface device : Collections.list(NetworkInterface.getNetworkInterfaces())) {
       device
           .inetAddresses()
@@ -293,7 +293,7 @@ class ViewServerTest {
   }
 
   @Test
-  void sendsSetupPastStepsAndNewSteps() throws Exception {
+  void pageGetsSetupPastStepsAndNewSteps() throws Exception {
     send(post("{\"command\":\"step\",\"steps\":30}"));
     try (Page page = new Page()) {
       JsonNode setup = page.next("setup");
@@ -307,7 +307,7 @@ class ViewServerTest {
   }
 
   @Test
-  void sendsScenarioWithChangedCameras() throws Exception {
+  void downloadedScenarioHasChangedCameras() throws Exception {
     send(post("{\"command\":\"drag\",\"camera\":0,\"x\":0.5,\"y\":-0.25}"));
     assertEquals(
         204, send(post("{\"command\":\"turn\",\"camera\":0,\"heading\":12}")).statusCode());
@@ -321,7 +321,7 @@ class ViewServerTest {
   }
 
   @Test
-  void sendsStepsToEveryOpenPage() throws Exception {
+  void everyOpenPageGetsSteps() throws Exception {
     try (Page first = new Page();
         Page second = new Page()) {
       send(post("{\"command\":\"speed\",\"perSecond\":500}"));
@@ -332,7 +332,7 @@ class ViewServerTest {
   }
 
   @Test
-  void limitsOpenPages() throws Exception {
+  void openPagesAreLimited() throws Exception {
     Page[] pages = new Page[8];
     for (int i = 0; i < pages.length; i++) {
       pages[i] = new Page();
@@ -345,14 +345,14 @@ class ViewServerTest {
   }
 
   @Test
-  void endsAfterLastPageIsClosed() throws Exception {
+  void serverEndsAfterLastPageIsClosed() throws Exception {
     assertFalse(ended.await(2 * GRACE.toMillis(), TimeUnit.MILLISECONDS), "before any page");
     new Page().close();
     assertTrue(ended.await(10, TimeUnit.SECONDS));
   }
 
   @Test
-  void continuesWhenPageIsReloaded() throws Exception {
+  void serverContinuesWhenPageIsReloaded() throws Exception {
     Page first = new Page();
     first.next("setup");
     first.close();
@@ -364,7 +364,7 @@ class ViewServerTest {
   }
 
   @Test
-  void reportsPortInUse() {
+  void portInUseIsReported() {
     InputException error =
         assertThrows(
             InputException.class, () -> new ViewServer(session, "", address.getPort(), GRACE));
