@@ -54,7 +54,9 @@ public final class FormatScripts {
     System.exit(faults.isEmpty() ? 0 : 1);
   }
 
-  /** The lines that Prettier cannot break: comments, texts and templates. */
+  /**
+   * Returns messages about long lines that Prettier cannot break: comments, texts and templates.
+   */
   private static List<String> longLines(Path script, String formatted) {
     List<String> lines = formatted.lines().toList();
     return IntStream.range(0, lines.size())

@@ -4,7 +4,9 @@ import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
 
-/** A listener of one's own: for how many steps on end some target was covered by no camera. */
+/**
+ * A listener of one's own that counts for how many steps in a row no camera covered some target.
+ */
 public final class LongestGapListener implements StepListener {
   private long gap;
   private long longest;

@@ -7,10 +7,10 @@ import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
-/** The policy owes the engine what every policy does. */
+/** Tests that the policy does what the engine expects of every policy. */
 class LookoutZoomPolicyTest {
   @TestFactory
-  Stream<DynamicTest> keepsTheContract() {
+  Stream<DynamicTest> policyKeepsItsContract() {
     return new ZoomPolicyContract(LookoutZoomPolicyTest::lookout, false).tests();
   }
 

@@ -19,14 +19,17 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Microseconds per step of CamSim's auctions (Passive, Broadcast), ours and plain objects'. */
+/**
+ * Measures the microseconds per step of CamSim's auctions (Passive, Broadcast), in our engine and
+ * with plain objects.
+ */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 @Fork(2)
 public class AuctionPeerBenchmark {
-  /** What both are given. */
+  /** The runs of both, of the same scenario. */
   @State(Scope.Thread)
   public static class Task {
     @Param("")
@@ -44,14 +47,14 @@ public class AuctionPeerBenchmark {
     }
   }
 
-  /** One step of ours. */
+  /** Makes one step of our engine. */
   @Benchmark
   public double ours(Task task) {
     task.ours.simulation().step();
     return task.ours.network().figures().utility();
   }
 
-  /** One step of the plain objects. */
+  /** Makes one step of the plain objects. */
   @Benchmark
   public double plain(Task task) {
     return task.plain.step().utility();

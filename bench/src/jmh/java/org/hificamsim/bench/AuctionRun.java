@@ -12,12 +12,12 @@ import org.hificamsim.network.Strategy;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.runs.RunPlan;
 
-/** A run of CamSim's network as ours. */
+/** Starts runs of CamSim's network in our engine. */
 public final class AuctionRun {
   private AuctionRun() {}
 
   /**
-   * A run with CamSim's order and visibility, and seed 0.
+   * Returns a run with CamSim's order and visibility, and seed 0.
    *
    * @param comm the number of the communication policy: 0 is Broadcast
    */

@@ -15,9 +15,10 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * A lower limit for the cost of Broadcast with messages that are delivered one by one: nanoseconds
- * for a StartSearch message to all cameras, each of which only notes who searches for the target
- * and since when. Divided by the number of cameras, this is the limit per message.
+ * Measures a lower limit for the cost of Broadcast with messages that are delivered one by one. It
+ * is the nanoseconds for a StartSearch message to all cameras, each of which only notes who
+ * searches for the target and since when. Divided by the number of cameras, this is the limit per
+ * message.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -44,7 +45,7 @@ public class BroadcastLimitBenchmark {
     since = new long[cameras][cameras / 2];
   }
 
-  /** One camera searches for one target, and all others hear of it. */
+  /** Lets one camera search for a target, and all others note it. */
   @Benchmark
   public long search() {
     int from = random.nextInt(cameras);

@@ -29,8 +29,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Nanoseconds of a step for each pair of a camera and a target, all of them within reach, by rule:
- * what chance costs is the difference to {@code threshold}.
+ * Measures the nanoseconds of a step for each pair of a camera and a target, all within reach, by
+ * rule of detection. The cost of chance is the difference from {@code threshold}.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -88,7 +88,7 @@ public class ChanceBenchmark {
         .with(Scenario.TARGETS, targets);
   }
 
-  /** One step. */
+  /** Makes one step. */
   @Benchmark
   @OperationsPerInvocation(CAMERAS * TARGETS)
   public int step() {

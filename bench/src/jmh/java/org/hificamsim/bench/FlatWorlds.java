@@ -19,11 +19,12 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Settings;
 
 /**
- * Measures the error of a flat world: compares the share of the floor on which a target is detected
- * between a scenario with heights and the same scenario without them.
+ * Measures the error of a flat world. It compares the share of the floor on which a target is
+ * detected between a scenario with heights and the same scenario without them.
  */
 public final class FlatWorlds {
-  private static final double CELL = 0.5; // metres
+  /** The side of a cell of the floor, metres. */
+  private static final double CELL = 0.5;
 
   private FlatWorlds() {}
 

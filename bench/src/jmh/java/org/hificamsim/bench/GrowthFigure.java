@@ -25,8 +25,8 @@ import org.hificamsim.presentation.plot.XyPanel;
 import org.knowm.xchart.style.XYStyler;
 
 /**
- * Draws how the cost of a step grows with the network, from what JMH wrote of {@link StepBenchmark}
- * and {@link NetworkGrowthBenchmark}, and prints it as a table.
+ * Draws how the cost of a step grows with the network, and prints it as a table, from the results
+ * of {@link StepBenchmark} and {@link NetworkGrowthBenchmark}.
  */
 public final class GrowthFigure {
   private static final double MICROSECONDS = 1e-3;
@@ -34,9 +34,9 @@ public final class GrowthFigure {
   private GrowthFigure() {}
 
   /**
-   * Runs it.
+   * Draws the figure.
    *
-   * @param args JMH's JSON file; the picture to write
+   * @param args the JSON file that JMH wrote, and the picture to write
    */
   public static void main(String[] args) throws IOException {
     Map<String, NavigableMap<Integer, Double>> costs = read(new File(args[0]));
@@ -46,7 +46,7 @@ public final class GrowthFigure {
     }
   }
 
-  /** Milliseconds a step, by policy and number of cameras. */
+  /** Returns the milliseconds of a step, by policy and number of cameras. */
   private static Map<String, NavigableMap<Integer, Double>> read(File file) throws IOException {
     Map<String, NavigableMap<Integer, Double>> costs = new LinkedHashMap<>();
     for (JsonNode result : new ObjectMapper().readTree(file)) {
@@ -87,8 +87,8 @@ public final class GrowthFigure {
     return String.format(Locale.ROOT, format, value);
   }
 
-  /** Both axes, with numbers written out and room around what is drawn. */
-  private static void logarithmic(XYStyler style) {
+  /** Makes both axes logarithmic, with numbers written out and room around the curves. */
+  private static void setLogarithmic(XYStyler style) {
     style.setXAxisLogarithmic(true);
     style.setYAxisLogarithmic(true);
     style.setXAxisDecimalPattern("#,##0.###");
@@ -98,12 +98,12 @@ public final class GrowthFigure {
 
   private static Figure figure(Map<String, NavigableMap<Integer, Double>> costs) {
     XyPanel panel = new XyPanel("", "cameras", "milliseconds a step");
-    logarithmic(panel.getStyler());
+    setLogarithmic(panel.getStyler());
     List<LegendEntry> legend = new ArrayList<>();
     costs.forEach(
-        (policy, ofPolicy) -> {
+        (policy, costsOfPolicy) -> {
           Color color = Palette.line(legend.size());
-          Curve curve = curve(ofPolicy);
+          Curve curve = curve(costsOfPolicy);
           panel.straight(curve, color).dots(curve, color);
           legend.add(new LegendEntry(policy, color, Mark.LINE));
         });
@@ -127,7 +127,7 @@ public final class GrowthFigure {
         costs.values().stream().mapToDouble(cost -> cost).toArray());
   }
 
-  /** What a cost would come to that grew with the square, up to the size where it leaves all. */
+  /** Returns the curve of a cost that grows with the square, as far as it is near the others. */
   private static Curve squared(NavigableMap<Integer, Double> costs) {
     double few = costs.firstKey();
     double many = costs.lastKey();

@@ -26,8 +26,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Milliseconds to tell which share of each of 500 people is hidden from each of 10 cameras, in a
- * square field with walls of 2 to 20 m.
+ * Measures the milliseconds to compute which share of each of 500 people is hidden from each of 10
+ * cameras, in a square field with walls of 2 to 20 m.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -91,7 +91,7 @@ public class HiddenSharesBenchmark {
     return random.nextDouble(side);
   }
 
-  /** All shares of a step. */
+  /** Computes all shares of a step. */
   @Benchmark
   public double step() {
     shares.begin();

@@ -18,8 +18,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Microseconds per step of CamSim's network, as {@code camsim} runs it; {@code -p file=...} takes
- * any scenario.
+ * Measures the microseconds per step of CamSim's network, as {@code camsim} runs it. {@code -p
+ * file=...} sets the scenario.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -47,7 +47,7 @@ public class NetworkBenchmark {
             ScenarioReader.read(Path.of(file), name -> true, warning -> {}), schedule, comm);
   }
 
-  /** One step. */
+  /** Makes one step. */
   @Benchmark
   public double step() {
     run.simulation().step();

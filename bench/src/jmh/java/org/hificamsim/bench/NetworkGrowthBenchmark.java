@@ -18,9 +18,10 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Microseconds per step of CamSim's network on random fields at the cluster scenario's density with
- * half as many targets as cameras, and the StartSearch messages that a step delivers: {@code -p
- * cameras=...}, {@code -p comm=...}.
+ * Measures the microseconds per step of CamSim's network, and counts the StartSearch messages that
+ * a step delivers. Fields are random and as dense as the cluster scenario, with half as many
+ * targets as cameras. {@code -p cameras=...} and {@code -p communicationPolicy=...} set the
+ * network.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -49,13 +50,13 @@ public class NetworkGrowthBenchmark {
     run = AuctionRun.of(field.scenario(), schedule, communicationPolicy);
   }
 
-  /** Says how many messages a step took. */
+  /** Prints how many messages a step delivered. */
   @TearDown
   public void end() {
     System.out.printf("%n%d StartSearch messages a step%n", messages / steps);
   }
 
-  /** One step. */
+  /** Makes one step. */
   @Benchmark
   public double step() {
     run.simulation().step();

@@ -4,28 +4,29 @@ import java.util.SplittableRandom;
 import org.hificamsim.agents.search.CoverageProblem;
 
 /**
- * One step of a random field as a coverage problem that no dominance settles: a camera at a level
- * detects from 0.4 of the level's radius to the radius, so that zooming out loses what is near.
+ * One step of a random field, as a coverage problem. It is a hard one, since no level is better in
+ * every way than another: at each, a camera detects from 0.4 of the level's radius to the radius,
+ * so that it loses what is near when it zooms out.
  *
- * @param sets the targets detected, by camera and level, as bit masks
+ * @param sets by camera and level: the targets that are detected, as bits
  */
 record OptimumInstance(int targets, long[][] sets) {
   private static final double[] RADII = {2.5, 3.75, 5, 6.25, 7.5};
   private static final double NEAREST = 0.4;
   private static final double RATIO = 1.5;
 
-  /** 200 cameras, 40 targets. */
+  /** The number of cameras. */
   static final int CAMERAS = 200;
 
   private static final int TARGETS = 40;
 
-  /** How many square metres each camera has. */
+  /** How dense cameras are, by the square metres for each of them. */
   enum Density {
-    /** As in the cluster scenarios: a target is within reach of 4 cameras on average. */
+    /** That of the cluster scenarios: a target is within reach of 4 cameras on average. */
     CLUSTER(30.0 * 20 / 14),
-    /** Four times as dense. */
+    /** Four times that of the cluster scenarios. */
     FOURFOLD(30.0 * 20 / 14 / 4),
-    /** All 200 cameras on the cluster scenarios' field: about 43 cameras reach a target. */
+    /** All 200 cameras on the field of the cluster scenarios: about 43 cameras reach a target. */
     CROWD(30.0 * 20 / CAMERAS);
 
     private final double area;
@@ -35,7 +36,7 @@ record OptimumInstance(int targets, long[][] sets) {
     }
   }
 
-  /** The instance of a seed. */
+  /** Returns the instance of a seed. */
   static OptimumInstance random(Density density, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     double height = Math.sqrt(CAMERAS * density.area / RATIO);
@@ -64,7 +65,7 @@ record OptimumInstance(int targets, long[][] sets) {
     return places;
   }
 
-  /** A problem with room for any instance. */
+  /** Returns a problem with room for any instance. */
   static CoverageProblem emptyProblem() {
     return new CoverageProblem(CAMERAS, CAMERAS * RADII.length, TARGETS);
   }
@@ -80,7 +81,7 @@ record OptimumInstance(int targets, long[][] sets) {
     }
   }
 
-  /** The targets of each set, by camera, as JSON on one line. */
+  /** Returns the targets of each set, by camera, as JSON on one line. */
   String json() {
     StringBuilder json =
         new StringBuilder("{\"targets\":").append(targets).append(",\"cameras\":[");

@@ -14,9 +14,9 @@ import org.hificamsim.bench.OptimumInstance.Density;
 import org.hificamsim.core.metrics.Objective;
 
 /**
- * Times proofs of optimality on 30 instances of each {@link Density}, one thread, and writes the
- * instances and {@code ours.csv} into a folder, where {@code bench/peers/optimum_cpsat.py} finds
- * them.
+ * Measures the time of proofs of optimality on 30 instances of each {@link Density}, on one thread.
+ * It writes the instances and {@code ours.csv} into a folder, where {@code
+ * bench/peers/optimum_cpsat.py} finds them.
  */
 public final class OptimumTimes {
   private static final int SEEDS = 30;
@@ -25,9 +25,9 @@ public final class OptimumTimes {
   private OptimumTimes() {}
 
   /**
-   * Runs it.
+   * Measures and writes the times.
    *
-   * @param args the folder; the most search nodes, if not 1,000,000
+   * @param args the folder and, if not 1,000,000, the greatest number of search nodes
    */
   public static void main(String[] args) throws IOException {
     Path folder = Files.createDirectories(Path.of(args[0]));

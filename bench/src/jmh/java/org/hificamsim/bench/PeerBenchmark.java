@@ -23,7 +23,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Microseconds per step of our engine and of the plain objects, with the same scenario and policy.
+ * Measures the microseconds per step of our engine and of the plain objects, with the same scenario
+ * and policy.
  */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
@@ -48,7 +49,7 @@ public class PeerBenchmark {
     }
   }
 
-  /** A run of ours. */
+  /** A run of our engine. */
   @State(Scope.Thread)
   public static class Ours {
     private Simulation simulation;
@@ -78,14 +79,14 @@ public class PeerBenchmark {
     }
   }
 
-  /** One step of ours. */
+  /** Makes one step of our engine. */
   @Benchmark
   public int ours(Ours run) {
     run.simulation.step();
     return run.simulation.coverage().kMin();
   }
 
-  /** One step of the plain objects. */
+  /** Makes one step of the plain objects. */
   @Benchmark
   public int plain(Plain run) {
     return run.simulation.step();

@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * One step of a world with optics and walls as a coverage problem: 14 cameras on the border of a
- * field of 30 m by 20 m, each with five headings and five angles of view, 8 targets and 2 walls. A
- * view is 640 pixels wide and reaches to the distance at which a metre has 62.5 pixels, so that
- * narrower views reach farther.
+ * One step of a world with optics and walls, as a coverage problem. There are 14 cameras on the
+ * border of a field of 30 m by 20 m, each with five headings and five angles of view, 8 targets and
+ * 2 walls. A view is 640 pixels wide and reaches to the distance at which a metre has 62.5 pixels,
+ * so that narrower views reach farther.
  */
 final class SectorInstance {
   private static final double WIDTH = 30;
@@ -45,7 +45,7 @@ final class SectorInstance {
   /**
    * Writes instances as {@code step_instances.py} does.
    *
-   * @param args the file; how many
+   * @param args the file, and the number of instances
    */
   public static void main(String[] args) throws IOException {
     List<String> lines = new ArrayList<>();

@@ -28,11 +28,11 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Microseconds per step of a whole run: move, decide, observe, learn, measure. {@code -p
- * targets=...} replaces the targets of the scenario, whose number the thesis does not give, by that
- * many at random places; 0 keeps them. {@code -p randomCameras=...} replaces the scenario by a
- * random field with that many cameras, at the density of the cluster scenarios and with 0.6 targets
- * per camera.
+ * Measures the microseconds per step of a whole run, in which targets move, and policies decide,
+ * observe and learn. {@code -p targets=...} replaces the targets of the scenario, whose number the
+ * thesis does not give, by that many at random places; 0 keeps them. {@code -p randomCameras=...}
+ * replaces the scenario by a random field with that many cameras, at the density of the cluster
+ * scenarios and with 0.6 targets per camera.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -100,7 +100,7 @@ public class StepBenchmark {
     return read.with(Scenario.TARGETS, randomTargets).with(Scenario.EVENTS, List.of());
   }
 
-  /** One step. */
+  /** Makes one step. */
   @Benchmark
   public int step() {
     simulation.step();

@@ -26,10 +26,10 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Microseconds to fill and solve one instance of the optimum with proof. The instances, solved in
- * turn, are those of a file that {@code bench/peers/step_instances.py} wrote. Their optima go into
- * a file beside it: {@code FILE.values} for kmin, {@code FILE-OBJECTIVE.values} for any other
- * objective.
+ * Measures the microseconds to fill a problem with an instance and to find its optimum with proof.
+ * The instances, solved in turn, are those of a file that {@code bench/peers/step_instances.py}
+ * wrote. Their optima go into another file in its folder: {@code FILE.values} for kmin, {@code
+ * FILE-OBJECTIVE.values} for any other objective.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -38,7 +38,11 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 1)
 @Fork(2)
 public class StepOptimumBenchmark {
-  /** The targets in sight, by camera and level, as bit masks. */
+  /**
+   * An instance of the optimum.
+   *
+   * @param cameras by camera and level: the targets in sight, as bits
+   */
   private record Instance(int targets, long[][] cameras) {
     static Instance of(JsonNode json) {
       long[][] cameras = new long[json.get("cameras").size()][];
@@ -115,7 +119,8 @@ public class StepOptimumBenchmark {
   }
 
   /**
-   * The score of the solution; for {@code covered}, the number of targets instead of their share.
+   * Returns the score of the solution; for {@code covered}, the number of targets instead of their
+   * share.
    */
   private String score(Instance instance) {
     Arrays.fill(counts, 0);

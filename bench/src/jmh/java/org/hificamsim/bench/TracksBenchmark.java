@@ -31,9 +31,9 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Microseconds per step with a thousand targets: {@code Straight} ones, and the same as they were
- * recorded, with a sample a step. Cameras see the same in both, so that the times differ by moving
- * alone.
+ * Measures the microseconds per step with a thousand targets that move {@code Straight}, and with
+ * the same targets on recorded tracks, with a sample in each step. Cameras see the same in both, so
+ * that times differ by the movement only.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -43,7 +43,9 @@ import org.openjdk.jmh.annotations.Warmup;
 @Fork(value = 3, jvmArgs = "-XX:+UseSerialGC") // as the launcher has it
 public class TracksBenchmark {
   private static final int STEPS = 2000;
-  private static final double AREA = 42.9; // square metres for each camera, as in the thesis
+
+  /** The square metres for each camera, as in the thesis. */
+  private static final double AREA = 42.9;
 
   @Param({"Straight", "Tracks"})
   private String movement;
@@ -58,7 +60,7 @@ public class TracksBenchmark {
   private Scenario scenario;
   private Simulation simulation;
 
-  /** Makes the scenario; records it where that is asked for. */
+  /** Makes the scenario, and records its targets if these are to move on tracks. */
   @Setup(Level.Trial)
   public void make() throws IOException {
     scenario = new RandomField(cameras, targets, AREA, 1).scenario();

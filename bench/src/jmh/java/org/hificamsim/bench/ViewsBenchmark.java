@@ -30,8 +30,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Microseconds per step with optics and walls: cameras with 25 views each, at random places between
- * walls of 3 m, in a field that grows with them.
+ * Measures the microseconds per step with optics and walls. Cameras with 25 views each are at
+ * random places between walls of 3 m, in a field whose size is proportional to their number.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -76,7 +76,7 @@ public class ViewsBenchmark {
             List.of());
   }
 
-  /** One step. */
+  /** Makes one step. */
   @Benchmark
   public int step() {
     simulation.step();

@@ -22,9 +22,9 @@ import org.openjdk.jmh.annotations.Warmup;
 import org.openjdk.jmh.infra.Blackhole;
 
 /**
- * Nanoseconds to tell whether a camera sees a target, with the look-up of a visible region and wall
- * by wall; whether another target hides one; and to construct the look-up. Walls of 2 to 20 m stand
- * in a field of 60 m x 40 m; all places are random.
+ * Measures the nanoseconds to tell whether a camera sees a target, with the look-up of a visible
+ * region and by testing each wall; to tell whether another target hides it; and to construct the
+ * look-up. Walls of 2 to 20 m stand in a field of 60 m x 40 m; all places are random.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -80,7 +80,7 @@ public class VisibleRegionBenchmark {
     return VisibleRegion.of(obstacles, cameraX[camera], cameraY[camera]);
   }
 
-  /** By the look-up, how much light passes. */
+  /** Tells by the look-up how much light passes. */
   @Benchmark
   @OperationsPerInvocation(CAMERAS * TARGETS)
   public double transmittance() {
@@ -93,7 +93,7 @@ public class VisibleRegionBenchmark {
     return light;
   }
 
-  /** Wall by wall. */
+  /** Tells by testing each wall whether light passes. */
   @Benchmark
   @OperationsPerInvocation(CAMERAS * TARGETS)
   public int seesWithoutLookUp() {
@@ -106,7 +106,7 @@ public class VisibleRegionBenchmark {
     return seen;
   }
 
-  /** Whether one of eight targets is hidden by another. */
+  /** Tells for each of eight targets whether another one hides it. */
   @Benchmark
   @OperationsPerInvocation(CAMERAS * DISCS)
   public int hiddenByTargets() {
@@ -122,7 +122,7 @@ public class VisibleRegionBenchmark {
     return hidden;
   }
 
-  /** Making the look-up of one camera. */
+  /** Constructs the look-up of each camera. */
   @Benchmark
   @OperationsPerInvocation(CAMERAS)
   public void construction(Blackhole made) {

@@ -30,8 +30,8 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Microseconds per step of one world among {@value #WORLDS} on one thread. Actions are random;
- * observations and rewards are computed, and episodes of 1,000 steps follow each other.
+ * Measures the microseconds per step of one world among {@value #WORLDS}, on one thread. Actions
+ * are random; observations and rewards are computed, and episodes of 1,000 steps follow each other.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -83,12 +83,12 @@ public class WorldsBenchmark {
     choices = worlds.choices().get(0);
   }
 
-  /** One step of every world. */
+  /** Makes one step of every world. */
   @Benchmark
   @OperationsPerInvocation(WORLDS)
   public void step() {
-    for (int at = 0; at < actions.capacity(); at += Integer.BYTES) {
-      actions.putInt(at, random.nextInt(choices));
+    for (int offset = 0; offset < actions.capacity(); offset += Integer.BYTES) {
+      actions.putInt(offset, random.nextInt(choices));
     }
     worlds.step();
   }

@@ -22,7 +22,7 @@ import org.hificamsim.core.world.World;
 final class OwnParts {
   private OwnParts() {}
 
-  /** Certain up to four metres, whatever the zoom. */
+  /** A detection model that is certain up to four metres, whatever the zoom. */
   record FourMetres() implements DetectionModel {
     @Override
     public String name() {
@@ -35,7 +35,7 @@ final class OwnParts {
     }
   }
 
-  /** Every camera at the middle one of its views. */
+  /** A policy that puts every camera in the middle one of its views. */
   record Middle() implements ZoomPolicy {
     @Override
     public String name() {
@@ -50,7 +50,7 @@ final class OwnParts {
     }
   }
 
-  /** Half a metre to the east and back. */
+  /** A movement by half a metre to the east and back. */
   static final class Swaying implements Movement {
     private double dx = -0.5;
 

@@ -1,10 +1,10 @@
 package org.hificamsim.bench.plain;
 
-/** Whether a camera detects a target at its present level. */
+/** Decides whether a camera detects a target at its present level. */
 interface DetectionFunction {
   boolean detects(Camera camera, Target target);
 
-  /** The function of a detection model. */
+  /** Returns the function of a detection model. */
   static DetectionFunction named(String name) {
     return switch (name) {
       case "hifi:orb-lin" -> new HiFiFunction();

@@ -2,7 +2,10 @@ package org.hificamsim.bench.plain;
 
 import java.util.Random;
 
-/** The bandit of thesis 7.4.3: the level that detected most on average, or now and then another. */
+/**
+ * The bandit of thesis 7.4.3, which chooses the level that detected most on average, and now and
+ * then another one.
+ */
 final class EpsilonGreedy implements LevelPolicy {
   private final double epsilon;
   private final Random random;
@@ -27,7 +30,7 @@ final class EpsilonGreedy implements LevelPolicy {
     means[level] += (detected - means[level]) / uses[level];
   }
 
-  /** The widest of the levels with the largest value. */
+  /** Returns the widest of the levels with the largest value. */
   static int best(double[] values) {
     int best = 0;
     for (int level = 1; level < values.length; level++) {
@@ -38,7 +41,7 @@ final class EpsilonGreedy implements LevelPolicy {
     return best;
   }
 
-  /** The best level or, with probability epsilon, one of the others. */
+  /** Returns the best level or, with probability epsilon, one of the others. */
   static int explore(int best, int levels, double epsilon, Random random) {
     if (random.nextDouble() >= epsilon) {
       return best;

@@ -1,6 +1,6 @@
 package org.hificamsim.bench.plain;
 
-/** The confidence of {@code hifi:orb-lin}: g of Table 6.1 over f of Eq 4.4. */
+/** Detects as {@code hifi:orb-lin}, by g of Table 6.1 over f of Eq 4.4 of the thesis. */
 final class HiFiFunction implements DetectionFunction {
   private static final double MAX_FOCAL_LENGTH = 0.085;
   private static final double THRESHOLD = 0.0441;

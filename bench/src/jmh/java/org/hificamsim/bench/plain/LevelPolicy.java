@@ -1,10 +1,10 @@
 package org.hificamsim.bench.plain;
 
-/** How one camera chooses its zoom level, 0 being the narrowest. */
+/** Chooses the zoom level of one camera. Level 0 is the narrowest. */
 interface LevelPolicy {
-  /** The next level, given the present one and how many targets it detected. */
+  /** Returns the next level, given the present one and how many targets it detected. */
   int choose(int level, int detected);
 
-  /** Takes note of what a level detected. */
+  /** Learns from the number of targets that a level detected. */
   default void learn(int level, int detected) {}
 }

@@ -9,12 +9,12 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
- * CamSim's step (behaviour 7) as a loop over objects: move, observe, advertise, look, settle. It
- * reads scenarios of cameras below a range of 20 and straight movement, without events, links or
- * limits. What overlaps is left out: it never changes while cameras stand.
+ * CamSim's step (behaviour 7) as a loop over objects, which move, observe, advertise, look and
+ * settle. It takes scenarios of cameras below a range of 20 and straight movement, without events,
+ * links or limits. It does not compute overlaps, which never change while cameras stay.
  */
 public final class PlainAuctions {
-  /** A step's row of CamSim's table, as far as it changes. */
+  /** The figures of a step in CamSim's table, apart from those that never change. */
   public record Figures(
       double utility, long communication, double confidence, double proportion, long handovers) {}
 

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.scenario.ScenarioReader;
 
-/** A whole run of the plain objects, from the scenario to its {@code steps.csv}. */
+/** Makes a whole run of the plain objects, from the scenario to its {@code steps.csv}. */
 public final class PlainRun {
   private PlainRun() {}
 

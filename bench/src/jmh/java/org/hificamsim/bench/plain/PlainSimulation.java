@@ -9,8 +9,9 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
- * The coverage study's step as a loop over objects: zoom, observe, learn, measure, move. It reads
- * scenarios of all-round cameras, a common zoom list and straight movement, without events.
+ * The step of the coverage study as a loop over objects: cameras zoom, observe and learn, and
+ * targets move. It takes scenarios of all-round cameras, a common zoom list and straight movement,
+ * without events.
  */
 public final class PlainSimulation {
   private final Field field;
@@ -23,7 +24,7 @@ public final class PlainSimulation {
   /**
    * @param detection {@code hifi:orb-lin} or {@code camsim-range@0.3}
    * @param policy {@code zoom-out}, {@code epsilon-greedy} or {@code sarsa}
-   * @param epsilon probability that a learning camera explores, [0, 1]
+   * @param epsilon the probability that a learning camera explores, in [0, 1]
    */
   public PlainSimulation(
       Scenario scenario, String detection, String policy, double epsilon, long seed) {
@@ -33,8 +34,8 @@ public final class PlainSimulation {
     Random random = new Random(seed);
     List<Double> radii = scenario.zooms();
     for (CameraSpec camera : scenario.cameras()) {
-      LevelPolicy own = policy(policy, radii.size(), epsilon, random);
-      cameras.add(new Camera(camera.x(), camera.y(), radii, own));
+      LevelPolicy policyOfCamera = policy(policy, radii.size(), epsilon, random);
+      cameras.add(new Camera(camera.x(), camera.y(), radii, policyOfCamera));
     }
     for (TargetSpec target : scenario.targets()) {
       double heading = Math.toRadians(target.heading());
@@ -42,7 +43,7 @@ public final class PlainSimulation {
     }
   }
 
-  /** Runs one step, and gives its k_min. */
+  /** Makes one step, and returns its k_min. */
   public int step() {
     for (Camera camera : cameras) {
       camera.zoom();
@@ -70,7 +71,7 @@ public final class PlainSimulation {
     return detections;
   }
 
-  /** The numbers of targets that no, one, and two or more cameras covered in the last step. */
+  /** Returns how many targets no, one, and two or more cameras covered in the last step. */
   int[] covered() {
     int[] covered = new int[3];
     for (Target target : targets) {

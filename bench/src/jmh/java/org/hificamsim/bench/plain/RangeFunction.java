@@ -1,6 +1,8 @@
 package org.hificamsim.bench.plain;
 
-/** The coverage study's rule: it falls with radius and distance (behaviour 3.8). */
+/**
+ * Detects by the rule of the coverage study, which falls with radius and distance (behaviour 3.8).
+ */
 final class RangeFunction implements DetectionFunction {
   private static final double THRESHOLD = 0.3;
 

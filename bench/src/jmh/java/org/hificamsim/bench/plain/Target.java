@@ -3,7 +3,7 @@ package org.hificamsim.bench.plain;
 import java.util.Random;
 import org.hificamsim.core.scenario.spec.Field;
 
-/** A target that goes straight and turns about at the field's edge. */
+/** A target that goes straight and turns round at the border of the field. */
 final class Target {
   private final double size;
   private final double speed;

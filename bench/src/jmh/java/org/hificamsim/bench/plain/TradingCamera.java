@@ -9,11 +9,14 @@ import java.util.Set;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 
 /**
- * A camera of CamSim's that owns targets and sells them: it advertises to all others what it is
- * about to lose (schedule Passive, policy Broadcast; behaviour 6 and 8).
+ * A camera that owns targets and sells them as in CamSim: it advertises to all others the targets
+ * that it is about to lose (schedule Passive, policy Broadcast; behaviour 6 and 8).
  */
 final class TradingCamera {
+
+  /** The confidence below which a target is about to be lost. */
   private static final double LOSING = 0.1;
+
   private static final double DECAY = 0.995;
   private static final double MAX_RANGE = 20;
 
@@ -27,7 +30,10 @@ final class TradingCamera {
 
   private final Map<Target, Double> visible = new LinkedHashMap<>();
   private final Set<Target> owned = new LinkedHashSet<>();
-  private final Map<Target, TradingCamera> searched = new LinkedHashMap<>(); // null: nobody's yet
+
+  /** By target: the camera that searches for it; null if nobody has owned it yet. */
+  private final Map<Target, TradingCamera> searched = new LinkedHashMap<>();
+
   private final Set<Target> advertised = new LinkedHashSet<>();
   private final Map<Target, Map<TradingCamera, Double>> bids = new HashMap<>();
   private final Map<Target, Double> last = new HashMap<>();

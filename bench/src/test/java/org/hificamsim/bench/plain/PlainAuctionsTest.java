@@ -12,14 +12,16 @@ import org.hificamsim.runs.generate.RandomField;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The benchmarks' plain auctions have CamSim's figures, step by step, as the engine has them. */
+/** Compares the plain auctions with the engine, step by step. */
 class PlainAuctionsTest {
   private static final int STEPS = 500;
-  private static final double ROUNDING = 1e-9; // sums are added in another order
+
+  /** The greatest difference of sums, which are added in another order. */
+  private static final double ROUNDING = 1e-9;
 
   @ParameterizedTest
   @ValueSource(ints = {15, 100})
-  void everyStepOfRandomFieldEqualsEngine(int cameras) {
+  void everyStepHasFiguresOfEngine(int cameras) {
     Scenario field = new RandomField(cameras, cameras / 2, RandomField.CLUSTER_AREA, 1).scenario();
     NetworkRun ours = AuctionRun.of(field, ScheduleKind.PASSIVE, 0);
     PlainAuctions plain = new PlainAuctions(field, 0);

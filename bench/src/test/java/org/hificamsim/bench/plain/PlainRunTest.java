@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Without exploring, the plain run's table is that of {@code run}, to the byte. */
+/** Compares the table of a plain run with that of {@code run}, without exploring. */
 class PlainRunTest {
   private static final Path FILE =
       Path.of(System.getProperty("hificamsim.root"), "bench", "study-10x6.xml");
@@ -34,7 +34,7 @@ class PlainRunTest {
     "epsilon-greedy, epsilon-greedy:epsilon=0",
     "sarsa, sarsa:epsilon=0"
   })
-  void writesSameTableAsEngine(String plain, String policy) throws IOException {
+  void tableHasSameBytesAsThatOfEngine(String plain, String policy) throws IOException {
     Path table = folder.resolve("plain.csv");
     PlainRun.main(
         new String[] {FILE.toString(), "camsim-range@0.3", plain, "0", "" + STEPS, "" + table});

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The benchmarks' plain objects compute what the engine does. */
+/** Compares the plain objects with the engine. */
 class PlainSimulationTest {
   private static final int STEPS = 1000;
   private static final int SEEDS = 20;
@@ -52,7 +52,7 @@ class PlainSimulationTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"epsilon-greedy", "sarsa"})
-  void exploringDetectsAsManyTargetsAsTheEngine(String policy) {
+  void exploringPolicyDetectsAboutAsManyTargetsAsInEngine(String policy) {
     double expected = mean(seed -> engine(policy, seed));
     assertEquals(expected, mean(seed -> plain(policy, 0.1, seed)), 0.03 * expected);
   }
