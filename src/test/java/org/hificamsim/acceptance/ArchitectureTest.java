@@ -27,7 +27,7 @@ import java.util.regex.Pattern;
 import org.hificamsim.core.StableApi;
 import org.hificamsim.core.policy.OracleView;
 
-/** The one-way arrows between modules, and between the packages of a module. */
+/** Tests that modules, and packages of a module, use each other in one direction only. */
 @AnalyzeClasses(packages = "org.hificamsim", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
   private static final DescribedPredicate<JavaClass> ARE_STABLE =

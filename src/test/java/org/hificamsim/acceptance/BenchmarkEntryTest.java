@@ -55,7 +55,7 @@ class BenchmarkEntryTest {
   }
 
   @Test
-  void writesSameBytesOnAnyNumberOfThreads() throws IOException {
+  void entryHasSameBytesOnAnyNumberOfThreads() throws IOException {
     Path again = folder.resolve("again");
     Cli.run(
         "benchmark",
@@ -75,14 +75,14 @@ class BenchmarkEntryTest {
   }
 
   @Test
-  void acceptsUnchangedEntry() {
+  void unchangedEntryIsAccepted() {
     Cli cli = Cli.run("benchmark", "check", entry, entry.resolve("entry.json"));
     assertEquals(0, cli.exit(), cli.err());
     assertTrue(cli.out().contains("cooperative, 2 tasks, agrees"), cli.out());
   }
 
   /** A change to a copy of an entry, and part of the expected error. */
-  private record Broken(String reason, Consumer<Path> how) {}
+  private record Broken(String reason, Consumer<Path> change) {}
 
   @TestFactory
   Stream<DynamicTest> rejectsBrokenEntries() {
@@ -207,7 +207,7 @@ class BenchmarkEntryTest {
     for (String name : Cli.names(entry)) {
       Files.copy(entry.resolve(name), copy.resolve(name));
     }
-    broken.how.accept(copy);
+    broken.change.accept(copy);
     Cli cli = Cli.run("benchmark", "check", copy);
     assertEquals(2, cli.exit(), cli.out());
     assertEquals(1, cli.err().lines().count(), cli.err());
@@ -227,7 +227,7 @@ class BenchmarkEntryTest {
     }
   }
 
-  /** A change of the table together with its hash. */
+  /** Returns a change of the table together with its hash. */
   private static Consumer<Path> csv(UnaryOperator<String> change) {
     return path -> {
       rewrite(path, change);
@@ -273,7 +273,7 @@ class BenchmarkEntryTest {
     return (ObjectNode) root.get("tasks").get(TASK);
   }
 
-  /** Another view of the first camera at a step of the first episode. */
+  /** Returns a change of the first camera's view at a step of the first episode. */
   private static UnaryOperator<String> row(int step, String view) {
     return text ->
         text.replaceFirst("\n1000001," + step + ",\\d+", "\n1000001," + step + "," + view);
@@ -316,7 +316,7 @@ class BenchmarkEntryTest {
   }
 
   @Test
-  void playsArenaOfMate() {
+  void entryOfArenaOfMateCanBePlayed() {
     Cli cli = Cli.run("benchmark", "arena", "--episodes", 2, "--seed", 5);
     assertEquals(0, cli.exit(), cli.err());
     assertTrue(cli.out().matches("coverage  0\\.[\\s\\S]*transport 0\\.[\\s\\S]*steps [\\s\\S]*"));
@@ -327,7 +327,7 @@ class BenchmarkEntryTest {
   }
 
   @Test
-  void rejectsWrongWords() {
+  void wrongWordsAreRefused() {
     for (List<String> words :
         List.of(
             List.of("--policy", "cooperative", "--tasks", "moon-v1"),
@@ -349,7 +349,7 @@ class BenchmarkEntryTest {
   }
 
   @Test
-  void ranksDeployablePoliciesThatPlayedAllTasks() throws IOException {
+  void boardRanksDeployablePoliciesThatPlayedAllTasks() throws IOException {
     Path tracker = folder.resolve("tracker");
     Cli.run("benchmark", "run", "--policy", "tracker", "--name", "<tracker>", "--out", tracker);
     Path greedy = folder.resolve("greedy");

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Generated scenarios with many cameras. */
+/** Tests generated scenarios with many cameras. */
 class BigNetworkTest {
   private static final int STEPS = 20;
   private static final int CAMERAS = 600;
@@ -78,7 +78,7 @@ class BigNetworkTest {
   }
 
   @Test
-  void rejectsArgumentsOutOfRange() {
+  void argumentsOutOfRangeAreRefused() {
     refused("--cameras is 0", "generate", folder.resolve("x.xml"), "--cameras", 0);
     refused("--targets is 0", "generate", folder.resolve("x.xml"), "--targets", 0);
     refused("--area is NaN", "generate", folder.resolve("x.xml"), "--area", "NaN");

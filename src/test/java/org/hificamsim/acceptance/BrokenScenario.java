@@ -15,7 +15,7 @@ import java.nio.charset.StandardCharsets;
  * @param message the error message after the place
  */
 record BrokenScenario(String name, byte[] content, int line, int column, String message) {
-  /** Marks the place that the error must name; removed from the file. */
+  /** Marks the place that the error must name. It is removed from the file. */
   private static final char MARK = '@';
 
   /** A valid scenario. */

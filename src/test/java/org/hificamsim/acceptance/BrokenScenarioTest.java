@@ -48,7 +48,7 @@ class BrokenScenarioTest {
   }
 
   @Test
-  void hasAtLeastSixtyDifferentScenarios() throws IOException {
+  void brokenScenariosAreSixtyOrMoreAndDiffer() throws IOException {
     Set<String> contents = new HashSet<>();
     for (BrokenScenario broken : all()) {
       assertTrue(
@@ -58,7 +58,7 @@ class BrokenScenarioTest {
   }
 
   @Test
-  void rejectsMissingFile() {
+  void missingFileIsRefused() {
     Path file = folder.resolve("no.xml");
     assertRefused(file, file + ":1:1: no such file, expected a file");
   }
@@ -69,7 +69,7 @@ class BrokenScenarioTest {
     "'(?s)<objects>.*</objects>|<events>.*</events>',"
         + " 'no <object>, no <tracks> and no event that adds one, expected at least one target'"
   })
-  void rejectsRunOfSite(String missing, String message) throws IOException {
+  void runOfSiteIsRefused(String missing, String message) throws IOException {
     Path file = folder.resolve("site.xml");
     Files.writeString(file, BrokenScenario.SOUND.replaceAll(missing, ""));
     Path out = folder.resolve("out");
@@ -80,12 +80,12 @@ class BrokenScenarioTest {
   }
 
   @Test
-  void rejectsFolder() {
+  void folderIsRefused() {
     assertRefused(folder, folder + ":1:1: is a folder, expected a file");
   }
 
   @Test
-  void rejectsHundredMegabytesQuicklyWithLittleMemory() throws IOException {
+  void hundredMegabytesAreRefusedQuicklyWithLittleMemory() throws IOException {
     Path file = nested(100 * MEGABYTE);
     long bytes =
         assertTimeoutPreemptively(
@@ -100,7 +100,7 @@ class BrokenScenarioTest {
   }
 
   @Test
-  void rejectsDeepNestingQuicklyWithLittleMemory() throws IOException {
+  void deepNestingIsRefusedQuicklyWithLittleMemory() throws IOException {
     Path file = nested(60 * MEGABYTE);
     String message = ":1:97: <a> is nested too deep, expected at most 32 levels";
     long bytes =

@@ -149,7 +149,7 @@ return (page ? page.dataset.ready !== undefined : document.readyState === 'compl
     return driver.findElements(By.cssSelector(selector));
   }
 
-  /** The text of the only element that a selector finds. */
+  /** Returns the text of the only element that a selector finds. */
   String text(String selector) {
     return find(selector).getText();
   }
@@ -197,7 +197,7 @@ return (page ? page.dataset.ready !== undefined : document.readyState === 'compl
     assertEquals(List.of(), lines);
   }
 
-  /** The addresses that were requested since {@link #open}, in order, without data of the page. */
+  /** Returns the addresses requested since {@link #open}, in order, without data of the page. */
   List<String> requests() {
     return StreamSupport.stream(
             driver.manage().logs().get(LogType.PERFORMANCE).spliterator(), false)

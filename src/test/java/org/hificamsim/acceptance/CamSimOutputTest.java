@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
 
-/** {@code camsim} writes the same bytes as CamSim (docs/evidence.md). */
+/** Tests that {@code camsim} writes the same bytes as CamSim (docs/evidence.md). */
 class CamSimOutputTest {
   private static final String OURS = "own-camsim/";
 

@@ -14,7 +14,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** {@code CITATION.cff} agrees with the changelog, and the paper with its bibliography. */
+/**
+ * Tests that {@code CITATION.cff} agrees with the changelog, and the paper with its bibliography.
+ */
 class CitationTest {
   private static final Path CHANGELOG = Cli.ROOT.resolve("CHANGELOG.md");
 

@@ -39,7 +39,7 @@ record Cli(int exit, String out, String err) {
     return new Cli(exit, out.toString(), err.toString());
   }
 
-  /** The names of the files in a folder, in order, without the record that commands keep of it. */
+  /** Returns the names of a folder's files, in order, without the record that commands keep. */
   static List<String> names(Path folder) throws IOException {
     try (Stream<Path> files = Files.list(folder)) {
       return files
@@ -50,7 +50,7 @@ record Cli(int exit, String out, String err) {
     }
   }
 
-  /** The content of a file; usable in streams. */
+  /** Returns the content of a file, without a checked exception, so that streams can use it. */
   static String text(Path file) {
     try {
       return Files.readString(file);
@@ -59,7 +59,7 @@ record Cli(int exit, String out, String err) {
     }
   }
 
-  /** The file of a shipped scenario. */
+  /** Returns the file of a shipped scenario. */
   static Path scenario(String name) {
     return ROOT.resolve("scenarios").resolve(name + ".xml");
   }

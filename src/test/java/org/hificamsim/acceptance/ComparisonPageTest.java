@@ -24,7 +24,7 @@ import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.support.ui.Select;
 
-/** The page of a comparison in a browser. */
+/** Tests the page of a comparison in a browser. */
 class ComparisonPageTest {
   private static final String ROWS = "section.card:first-of-type tbody tr";
 

@@ -31,7 +31,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Targets that are followed, and processing budgets, from files and commands. */
+/** Tests commands by which targets are followed, or processing budgets limit cameras. */
 class FollowingTest {
   private static final Path RING = Cli.ROOT.resolve("scenarios/ring-random.xml");
 
@@ -173,7 +173,7 @@ class FollowingTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"0", "-1", "1.5", "x", "many"})
-  void rejectsBadBudgetsInOneLine(String budget) throws IOException {
+  void wrongBudgetsAreRefusedInOneLine(String budget) throws IOException {
     assertRejected("--processing", budget);
     Path scenario = folder.resolve("budget.xml");
     String text = Files.readString(RING);
@@ -186,7 +186,7 @@ class FollowingTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"on", "", "Targets"})
-  void rejectsUnknownFollowingInOneLine(String following) {
+  void unknownFollowingIsRefusedInOneLine(String following) {
     assertRejected("--following", following);
   }
 

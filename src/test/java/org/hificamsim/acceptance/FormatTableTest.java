@@ -11,7 +11,7 @@ import org.hificamsim.core.NamedSetting;
 import org.hificamsim.tracks.format.KnownFormat;
 import org.junit.jupiter.api.Test;
 
-/** The formats of recordings are documented as they are declared. */
+/** Tests that the documentation of the formats of recordings agrees with their declarations. */
 class FormatTableTest {
   private static final NamedSetting.Notation FLAGS =
       new NamedSetting.Notation() {
@@ -27,7 +27,7 @@ class FormatTableTest {
       };
 
   @Test
-  void documentsEveryFormatAsDeclared() throws IOException {
+  void everyFormatIsDocumentedAsDeclared() throws IOException {
     List<String> page = Files.readAllLines(Cli.ROOT.resolve("docs/tracks.md"));
     int header = page.indexOf("| `--format` | line or element | time | positions |");
     List<String> table =

@@ -65,7 +65,10 @@ enum FuzzKind {
       return simulate(Files.writeString(file.resolveSibling("s.xml"), TRACKED), "geometric");
     }
   },
-  /** Recordings in all formats; the name of a file contains its format. Half are recognised. */
+  /**
+   * Recordings in all formats. The name of a file contains its format; half of the files are read
+   * without it.
+   */
   RECORDING {
     @Override
     Cli read(Path file) throws IOException {
@@ -246,7 +249,7 @@ enum FuzzKind {
     }
   }
 
-  /** Whether an error must name line and column. */
+  /** Whether messages must tell line and column. */
   final boolean hasPlaces() {
     return !Set.of(COMMAND, JOURNAL, SHARD, RESULTS, PHOTO, ONNX, SQLITE).contains(this);
   }
@@ -380,7 +383,9 @@ enum FuzzKind {
     }
   }
 
-  /** Removes a folder; where a case that took too long still writes there, once it has ended. */
+  /**
+   * Removes a folder. If a case that took too long still writes there, waits until it has ended.
+   */
   private static void delete(Path folder) throws IOException {
     try {
       deleteAll(folder);

@@ -68,7 +68,7 @@ class HeatMapTest {
     browser = Browser.shared();
   }
 
-  /** Two repeats with a heat map. */
+  /** Runs two repeats with a heat map. */
   private static Cli recorded(Path out, Object... more) {
     Object[] words = {"run", scenario, "--heatmap", "--cells", 60, "--steps", STEPS, "--repeat", 2};
     Object[] rest = {"--policy", "epsilon-greedy:epsilon=0.3", "--out", out};
@@ -149,7 +149,7 @@ class HeatMapTest {
   }
 
   @Test
-  void showsTracksOnlyAtVisitedPlaces() throws IOException {
+  void tracksAreAtVisitedPlacesOnly() throws IOException {
     open();
     String[] row =
         Files.readAllLines(run.resolve("targets.csv")).stream()
@@ -170,7 +170,7 @@ class HeatMapTest {
   }
 
   @Test
-  void scalesFigureToTargetsPresentAtOnce() throws IOException {
+  void scaleEndsAtTargetsPresentAtOnce() throws IOException {
     StringBuilder events = new StringBuilder("<events>");
     for (int i = 0; i < 200; i++) {
       events.append(
@@ -212,7 +212,7 @@ class HeatMapTest {
   }
 
   @Test
-  void pageShowsWhatOfZonesIsMet() throws IOException {
+  void pageShowsShareOfZonesThatIsMet() throws IOException {
     open();
     JsonNode zones =
         new ObjectMapper().readTree(run.resolve("summary.json").toFile()).path("zones");
@@ -262,7 +262,7 @@ class HeatMapTest {
   }
 
   @Test
-  void drawsMapWithoutBrowser() throws IOException {
+  void mapIsDrawnWithoutBrowser() throws IOException {
     Path png = folder.resolve("map.png");
     Path svg = folder.resolve("map.svg");
     done("report", run, "--heatmap", "covered-k", "--tracks", "--png", png, "--svg", svg);
@@ -290,7 +290,7 @@ class HeatMapTest {
             + " to 200",
         "run SCENARIO --out FILE --heatmap --cells 201 | --cells is 201, expected",
       })
-  void rejectsWrongWordsInOneLine(String words, String expected) {
+  void wrongWordsAreRefusedInOneLine(String words, String expected) {
     Path file = folder.resolve("refused");
     Map<String, Object> paths = Map.of("RUN", run, "FILE", file, "SCENARIO", scenario);
     Cli cli =
@@ -302,7 +302,7 @@ class HeatMapTest {
   }
 
   @Test
-  void rejectsFolderWithoutMap() throws IOException {
+  void folderWithoutMapIsRefused() throws IOException {
     Path other = folder.resolve("other");
     done("run", Cli.scenario("ring-random"), "--record", "--steps", 5, "--out", other);
     Cli cli = Cli.run("report", other, "--png", folder.resolve("x.png"), "--heatmap", "visits");

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** {@code import}, and what other commands make of its scenarios. */
+/** Tests {@code import}, and other commands on its scenarios. */
 class ImportCommandTest {
   private static final String OPEN = "geometric";
 

@@ -18,13 +18,13 @@ final class Java {
     return main(Path.of("."), List.of(), classPath, words);
   }
 
-  /** The same in a folder, with options for the JVM. */
+  /** Starts a command in a folder, with options for the JVM. */
   static Process main(Path folder, List<String> options, String classPath, Object... words)
       throws IOException {
     return start(folder, options, classPath, Main.class.getName(), words);
   }
 
-  /** The same of another class. */
+  /** Starts another class in a folder, with options for the JVM. */
   static Process start(
       Path folder, List<String> options, String classPath, String main, Object... words)
       throws IOException {

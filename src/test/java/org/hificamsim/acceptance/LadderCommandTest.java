@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Computes the results of {@code ladder} again from the runs that it wrote. */
+/** Tests {@code ladder} by computing its results again from the runs that it wrote. */
 class LadderCommandTest {
   private static final List<String> SCENARIOS = List.of("ring-random", "cluster-scripted");
   private static final String TOP = "hifi:orb-lin@chance";
@@ -245,7 +245,7 @@ class LadderCommandTest {
     Cli.assertRefuses(options, expected, nowhere, "ladder", Cli.scenario("ring-random"));
   }
 
-  /** Kendall's tau-b by its definition: all pairs. */
+  /** Returns Kendall's tau-b, by its definition over all pairs. */
   private static double tau(double[] a, double[] b) {
     int balance = 0;
     int pairsOfA = 0;
@@ -262,7 +262,9 @@ class LadderCommandTest {
     return balance / Math.sqrt((double) pairsOfA * pairsOfB);
   }
 
-  /** The mean k_min of each policy, from the runs; by chance from their expectation. */
+  /**
+   * Returns the mean k_min of each policy in the runs; if detection is by chance, the expected one.
+   */
   private static double[] means(String scenario, String rung) {
     String metric = rung.contains("@chance") ? "expected_performance" : "performance";
     return POLICIES.stream()

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.openqa.selenium.By;
 import org.openqa.selenium.WebElement;
 
-/** The page of a ladder in a browser, and what the command warns of. */
+/** Tests the page of a ladder in a browser, and the warnings of the command. */
 class LadderPageTest {
   @TempDir static Path folder;
   private static Browser browser;

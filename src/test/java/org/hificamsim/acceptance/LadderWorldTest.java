@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Computes the results of {@code ladder --of world} again from the runs that it wrote. */
+/** Tests {@code ladder --of world} by computing its results again from the runs that it wrote. */
 class LadderWorldTest {
   private static final List<String> RUNGS =
       List.of("round", "optics", "pan", "time", "walls", "occlusion");
@@ -158,7 +158,7 @@ class LadderWorldTest {
     return POLICIES.stream().mapToDouble(policy -> mean(rung, policy)).toArray();
   }
 
-  /** The mean score of a step. */
+  /** Returns the mean score of a step. */
   private static double mean(String rung, String policy) {
     String scenario = rung.equals("occlusion") ? "hall" : "hall-" + rung;
     return mean(

@@ -43,7 +43,7 @@ class LauncherTest {
     assertTrue(Files.readString(summary).contains("\"caf\u00e9\""));
   }
 
-  /** Without its jar on the class path but in a folder whose name has an accent. */
+  /** The command line is not on the class path, but in a folder whose name has an accent. */
   @ParameterizedTest
   @ValueSource(strings = {"C", "C.UTF-8"})
   void startsInAccentedFolderInEveryLocale(String locale) throws Exception {
@@ -74,7 +74,7 @@ class LauncherTest {
         shell("ulimit -n 64\nsh '" + Cli.ROOT.resolve("hificamsim") + "' list; echo $?", Map.of()));
   }
 
-  /** The launcher itself, with a JVM that prints its options. */
+  /** The launcher runs with a JVM that prints its options. */
   @Test
   void onlyCamsimAndViewLimitYoungObjects() throws Exception {
     Files.createDirectories(folder.resolve("tools"));

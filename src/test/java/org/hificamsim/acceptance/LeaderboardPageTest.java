@@ -9,12 +9,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.openqa.selenium.WebElement;
 
-/** The page of the leaderboard in a browser. */
+/** Tests the page of the leaderboard in a browser. */
 class LeaderboardPageTest {
   @TempDir Path folder;
 
   @Test
-  void drawsTasksOfLeaderboardAsBars() {
+  void pageDrawsTasksOfLeaderboardAsBars() {
     Path entry = folder.resolve("entry");
     Path out = folder.resolve("board");
     run("benchmark", "run", "--policy", "zoom-out", "--tasks", "passage-v1", "--out", entry);

@@ -27,7 +27,7 @@ class LocaleTest {
   private static final List<String> OF_A_MOMENT =
       List.of("manifest.json", "ro-crate-metadata.json", ".hificamsim.sha256"); // times differ
 
-  /** Each writes into the folder that its first word names. */
+  /** The commands, each of which writes into the folder that its first word names. */
   private static final List<String> COMMANDS =
       List.of(
           "run SCENARIOS/ring-random.xml --record --steps 30 --repeat 2 --out run",
@@ -40,7 +40,7 @@ class LocaleTest {
 
   @TempDir static Path folder;
 
-  /** One process for each locale. */
+  /** Runs the commands in a process for each locale. */
   @BeforeAll
   static void runAllCommandsUnderEachLocale() throws Exception {
     Path lab =
@@ -73,7 +73,7 @@ class LocaleTest {
     assertEquals(0, process.waitFor(), output);
   }
 
-  /** Runs each word as a command, and writes what it printed beside its files. */
+  /** Runs each word as a command, and writes its output into the folder of its files. */
   public static void main(String[] commands) throws IOException {
     for (String command : commands) {
       StringWriter output = new StringWriter();

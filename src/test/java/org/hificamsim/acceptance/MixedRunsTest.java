@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that runs of different inputs with the same name are never mixed. */
 class MixedRunsTest {
-  /** Models that decide alike below 16 m, and otherwise at 30 m. */
+  /** A model of which the tests use two versions, which differ at 30 m but not below 16 m. */
   private static final String MODEL =
       """
       {"schema": "hificamsim-model", "version": 1, "name": "mine",
@@ -131,7 +131,7 @@ class MixedRunsTest {
         resumed.out().contains("another jar of class 'org.example.FogDetection'"), resumed.out());
   }
 
-  /** The folder of a comparison that was killed when all its runs were in the journal. */
+  /** Returns the folder of a comparison that was killed when all its runs were in the journal. */
   private Path interrupted() throws IOException {
     Path part = folder.resolve("part");
     assertEquals(0, Cli.run(words(model, part, "--shard", "1/1")).exit());
@@ -162,7 +162,7 @@ class MixedRunsTest {
     return Stream.concat(Arrays.stream(words), Arrays.stream(more)).toArray();
   }
 
-  /** The lines with the checksums of what they say now. */
+  /** Returns changed lines with checksums that are right again. */
   private static String summed(String journal) {
     return journal
         .lines()

@@ -4,7 +4,7 @@ import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Set;
 
-/** The modules with their arrows: each uses those named behind it, and what these use. */
+/** The modules. Each may use the modules that are named behind it, and all that these use. */
 enum Module {
   CORE("camsim-core"),
   DATA("data", CORE),
@@ -29,7 +29,7 @@ enum Module {
   SPARK("spark", RUNS),
   BENCH("bench", PRESENTATION, NETWORK, WORLDS);
 
-  /** Its folder, as settings.gradle names it. */
+  /** The folder of the module, as settings.gradle names it. */
   final String folder;
 
   @SuppressWarnings("ImmutableEnumChecker") // nothing changes it
@@ -40,12 +40,12 @@ enum Module {
     this.uses = uses;
   }
 
-  /** Its packages, as ArchUnit writes them. */
+  /** The packages of the module, in the notation of ArchUnit. */
   String packages() {
     return "org.hificamsim." + name().toLowerCase(Locale.ROOT) + "..";
   }
 
-  /** The folders of all modules that it may use, its own among them. */
+  /** The folders of all modules that the module may use, including its own. */
   String[] reached() {
     return reach(EnumSet.noneOf(Module.class)).stream().map(m -> m.folder).toArray(String[]::new);
   }

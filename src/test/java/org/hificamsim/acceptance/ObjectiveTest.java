@@ -126,7 +126,7 @@ class ObjectiveTest {
     return words.toArray();
   }
 
-  /** The greatest of all seeds. */
+  /** Returns the greatest value of all seeds. */
   private double figure(String policy, String name) throws IOException {
     return Files.readAllLines(folder.resolve("metrics.csv")).stream()
         .map(row -> row.split(","))

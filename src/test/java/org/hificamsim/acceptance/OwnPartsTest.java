@@ -18,7 +18,7 @@ class OwnPartsTest {
   @TempDir Path folder;
 
   @Test
-  void findsDetectionModelByName() throws Exception {
+  void detectionModelIsFoundByName() throws Exception {
     run("own-detection", Cli.scenario("lattice-random"), "--detection", "fog");
     String summary = Files.readString(folder.resolve("out/summary.json"));
     assertTrue(summary.contains("\"fog\""), summary);
@@ -26,7 +26,7 @@ class OwnPartsTest {
   }
 
   @Test
-  void findsMovementNamedInScenario() throws Exception {
+  void movementNamedInScenarioIsFound() throws Exception {
     Path scenario = folder.resolve("circling.xml");
     String text = Files.readString(Cli.scenario("lattice-random"));
     Files.writeString(scenario, text.replace("speed=\"1.0\"", "speed=\"1.0\" move=\"Circling\""));
@@ -42,7 +42,7 @@ class OwnPartsTest {
   }
 
   @Test
-  void findsListenerByName() throws Exception {
+  void listenerIsFoundByName() throws Exception {
     Cli run =
         run(
             "own-listener",
@@ -67,7 +67,7 @@ class OwnPartsTest {
     return run;
   }
 
-  /** Any three points of a circle have it as the one around them. */
+  /** Requires that the circle through any three points of a path in a row has a radius. */
   private static void assertCircle(List<double[]> path, double radius) {
     for (int i = 2; i < path.size(); i++) {
       double a = distance(path.get(i - 2), path.get(i - 1));

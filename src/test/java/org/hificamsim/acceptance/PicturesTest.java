@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** {@code report --png}, {@code --svg} and {@code --gif}. */
+/** Tests {@code report --png}, {@code --svg} and {@code --gif}. */
 class PicturesTest {
   @TempDir static Path run;
 

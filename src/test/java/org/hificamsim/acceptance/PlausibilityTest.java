@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** {@code import} acts on signs that walls were read wrongly. */
+/** Tests how {@code import} acts on signs that walls were read wrongly. */
 class PlausibilityTest {
   private static final Path CASES = Cli.ROOT.resolve("src/test/resources/cases");
 

@@ -135,7 +135,7 @@ class ProfileBoxesTest {
   }
 
   @Test
-  void namesWhatIsWrong() throws IOException {
+  void messageNamesFault() throws IOException {
     record(false);
     assertRefused("pairs", "profile", "boxes", labels, detections, labels);
     assertRefused("--overlap", "profile", "boxes", labels, detections, "--overlap", 2);

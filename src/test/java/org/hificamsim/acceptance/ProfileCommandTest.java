@@ -53,7 +53,7 @@ class ProfileCommandTest {
     }
   }
 
-  /** Twelve photos with alternating confidence. */
+  /** The confidences of twelve photos alternate, whatever their distances. */
   @Test
   void rejectsNoiseAndWritesNoModels() throws IOException {
     Cli fitted = fit((row, pip) -> row % 2 == 0 ? 0.1 : 0.3);
@@ -241,7 +241,7 @@ class ProfileCommandTest {
     assertArrayEquals(measured, Files.readAllBytes(table));
   }
 
-  /** A phone appends a video to a motion photo. */
+  /** Phones append a video to a motion photo. */
   @Test
   void measuresPhotoWithVideoBehindIt() throws IOException {
     Path lab = Cli.lab(folder, "--scale 0.05 --objects 1 --focal-lengths 0.05 --distances 1,2");

@@ -110,7 +110,9 @@ class RandomSiteTest {
     assertEquals(1, run.err().lines().count(), run.err());
   }
 
-  /** All places on a lattice, half a metre wide, that can be walked to from the first camera. */
+  /**
+   * Returns the places of a lattice of half a metre to which one can walk from the first camera.
+   */
   private static final class Walk {
     private static final double WIDTH = 0.5;
 

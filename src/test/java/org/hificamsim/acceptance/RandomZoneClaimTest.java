@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What {@code place --evaluate} claims of zones holds on random sites. */
+/** Tests that the claims of {@code place --evaluate} about zones hold on random sites. */
 class RandomZoneClaimTest {
   private static final double POINTS = 1;
 

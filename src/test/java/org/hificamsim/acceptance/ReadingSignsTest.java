@@ -12,14 +12,14 @@ import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** {@code import} acts on signs that a recording was read in another unit than it has. */
+/** Tests how {@code import} acts on signs that a recording has another unit than was assumed. */
 class ReadingSignsTest {
   private static final double WALKING = 1.3; // metres per second
 
   @TempDir Path folder;
   private int imports;
 
-  /** Two people who walk for 20 samples. */
+  /** Returns a recording of two people who walk for 20 samples. */
   private Path walkers(double unitsPerMetre, double timeStep) throws IOException {
     StringBuilder text = new StringBuilder("time,id,x,y\n");
     for (int i = 0; i < 20; i++) {
@@ -65,7 +65,7 @@ class ReadingSignsTest {
   }
 
   @Test
-  void saysNothingOfRightUnits() throws IOException {
+  void rightUnitsGiveNoWarning() throws IOException {
     assertPlausible(walkers(1, 1), "--unit m");
     assertPlausible(walkers(1000, 1), "--unit mm");
     assertPlausible(walkers(1e-5, 1), "--unit deg");
@@ -73,7 +73,7 @@ class ReadingSignsTest {
   }
 
   @Test
-  void takesTinyStepsForDegrees() throws IOException {
+  void tinyStepsAreTakenForDegrees() throws IOException {
     assertRefused(
         walkers(1e-5, 1),
         "--unit m",
@@ -81,14 +81,14 @@ class ReadingSignsTest {
   }
 
   @Test
-  void noticesWrongUnitsOfLength() throws IOException {
+  void wrongUnitsOfLengthAreNoticed() throws IOException {
     assertRefused(walkers(1000, 1), "--unit m", "expected --unit mm, or another --rate");
     assertRefused(walkers(100, 1), "--unit m", "faster than 130 m/s");
     assertRefused(walkers(1, 1), "--unit mm", "expected --unit m, or --columns frame=...");
   }
 
   @Test
-  void noticesFramesThatAreTimes() throws IOException {
+  void framesThatAreTimesAreNoticed() throws IOException {
     assertWarned(walkers(0.04, 1), "--unit m", "if times are frames");
     assertRefused(
         walkers(0.04, 0.04),
@@ -97,7 +97,7 @@ class ReadingSignsTest {
   }
 
   @Test
-  void noticesMilliseconds() throws IOException {
+  void millisecondsAreNoticed() throws IOException {
     assertRefused(
         walkers(1, 1000),
         "--unit m",
@@ -111,7 +111,7 @@ class ReadingSignsTest {
   }
 
   @Test
-  void takesCrowdThatStandsInCentimetresForDegrees() throws IOException {
+  void standingCrowdInCentimetresIsTakenForDegrees() throws IOException {
     StringBuilder table = new StringBuilder("time,id,x,y\n");
     for (int i = 0; i < 60; i++) {
       table.append(String.format(Locale.ROOT, "%d,%d,16.370%d,48.2%n", i / 6, i % 6, i % 6));
@@ -124,7 +124,7 @@ class ReadingSignsTest {
   }
 
   @Test
-  void noticesSeveralRecordingsInOneFile() throws IOException {
+  void severalRecordingsInOneFileAreNoticed() throws IOException {
     String table = Files.readString(walkers(1, 1));
     String again =
         table.replaceAll("(?m)^(\\d+)\\.0,(\\d),(\\d+)", "$1.5,$2,9$3").replaceFirst(".*\n", "");
@@ -134,14 +134,14 @@ class ReadingSignsTest {
   }
 
   @Test
-  void warnsOfPeopleOutOfReachOfCameras() throws IOException {
+  void warningTellsPeopleOutOfReachOfCameras() throws IOException {
     Path walkers = walkers(1, 1);
     assertWarned(walkers, "--unit m --margin 20000", "nobody is in view of the draft cameras");
     assertPlausible(walkers, "--unit m --margin 100");
   }
 
   @Test
-  void noticesFlags() throws IOException {
+  void columnOfFlagsIsNoticed() throws IOException {
     StringBuilder text = new StringBuilder("time,id,x,y\n");
     for (int i = 0; i < 20; i++) {
       text.append(i).append(",1,").append(i % 2).append(",0\n");
@@ -152,7 +152,7 @@ class ReadingSignsTest {
   }
 
   @Test
-  void noticesIdsOfRows() throws IOException {
+  void idsOfRowsInsteadOfPeopleAreNoticed() throws IOException {
     String table = "time,id,x,y\n0,a,0,0\n1,b,1,0\n2,c,2,0\n";
     Path rows = Files.writeString(folder.resolve("rows.csv"), table);
     assertRefused(
@@ -160,7 +160,7 @@ class ReadingSignsTest {
   }
 
   @Test
-  void readsColumnsAndIdsAsTablesWriteThem() throws IOException {
+  void columnsAndIdsAreReadAsTablesWriteThem() throws IOException {
     String table = "Time,ID,X,Y\n0,1.0,0,0\n1,1,1,0\n2,1.0,2,0\n";
     Path capitals = Files.writeString(folder.resolve("capitals.csv"), table);
     Cli imported = imported(capitals, "--unit m");
@@ -171,7 +171,7 @@ class ReadingSignsTest {
   }
 
   @Test
-  void refusesManyOddRows() throws IOException {
+  void manyOddRowsAreRefused() throws IOException {
     String table = Files.readString(walkers(1, 1));
     Path odd = Files.writeString(folder.resolve("odd.csv"), table + "21,1,,\n".repeat(5));
     assertRefused(

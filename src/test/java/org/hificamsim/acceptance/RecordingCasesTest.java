@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Recordings as people publish them: {@code import} reads what is right, and says what is odd. */
+/** Tests {@code import} on recordings as people publish them, some of which are odd. */
 class RecordingCasesTest {
   private static final Path CASES = Cli.ROOT.resolve("src/test/resources/cases");
 
@@ -63,7 +63,7 @@ class RecordingCasesTest {
   }
 
   @Test
-  void refusesFlagsAsPlaces() {
+  void flagsAreRefusedAsPlaces() {
     imported("mot-visdrone/gt.txt --format mot --rate 25 --unit m")
         .assertRefused(
             "a class and flags, and no places in metres, expected --unit px and --homography FILE,"
@@ -75,7 +75,7 @@ class RecordingCasesTest {
 
   /** SUMO's speeds tell degrees even if its header is lost. */
   @Test
-  void refusesDegreesOfSumoAsMetres() throws IOException {
+  void degreesOfSumoAreRefusedAsMetres() throws IOException {
     String fcd = Files.readString(CASES.resolve("fcd-geo/fcd.xml"));
     Path bare = Files.writeString(folder.resolve("bare.xml"), fcd.replaceAll("(?s)<!--.*-->", ""));
     imported(bare + " --format fcd")

@@ -156,18 +156,18 @@ public final class Reference {
             .map(metric -> List.of(code(metric.label()), metric.unit(), metric.meaning())));
   }
 
-  /** The help of a command and of all below it, each under a heading. */
+  /** Returns the help of a command and of all its subcommands, each under a heading. */
   private static Stream<String> help(int depth, List<String> command) {
     String help = Cli.run(Stream.concat(command.stream(), Stream.of("--help")).toArray()).out();
     String heading = "#".repeat(depth) + " " + String.join(" ", command) + "\n\n";
-    String own = (command.isEmpty() ? "" : heading) + "```text\n" + help.strip() + "\n```\n\n";
+    String section = (command.isEmpty() ? "" : heading) + "```text\n" + help.strip() + "\n```\n\n";
     int commands = help.indexOf("\nCommands:\n");
     Stream<String> names =
         commands < 0
             ? Stream.of()
             : COMMAND.matcher(help.substring(commands)).results().map(name -> name.group(1));
     return Stream.concat(
-        Stream.of(own),
+        Stream.of(section),
         names
             .filter(name -> !name.equals("help"))
             .flatMap(
@@ -177,8 +177,8 @@ public final class Reference {
                         Stream.concat(command.stream(), Stream.of(name)).toList())));
   }
 
-  /** Those that come with the program; users' own are described by their classes' names. */
-  private static <T> Stream<Registry.Entry<T>> own(Registry<T> registry) {
+  /** Returns the entries that come with the program; users' builtIn have names of classes. */
+  private static <T> Stream<Registry.Entry<T>> builtIn(Registry<T> registry) {
     return registry.entries().stream().filter(entry -> entry.summary().contains(" "));
   }
 
@@ -188,7 +188,7 @@ public final class Reference {
         "policy",
         "option",
         "meaning",
-        own(policies)
+        builtIn(policies)
             .flatMap(
                 policy ->
                     Stream.concat(
@@ -206,7 +206,7 @@ public final class Reference {
         "model",
         "threshold",
         "what it is",
-        own(models)
+        builtIn(models)
             .map(model -> detection(model.name(), model.summary(), models.create(model.name()))));
   }
 

@@ -20,7 +20,7 @@ class ReproduceCommandTest {
   private static final List<String> FIGURES =
       Stream.of("7.3", "7.4", "7.6", "7.7", "7.8", "7.9", "8.1").map("figure-"::concat).toList();
 
-  /** What {@code reproduction.md} found under every reading that was tried. */
+  /** The statements that {@code reproduction.md} confirms under every reading that was tried. */
   private static final List<String> ROBUST =
       List.of(
           "baselines-below-greedy",

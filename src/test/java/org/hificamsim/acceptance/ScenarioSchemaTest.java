@@ -26,7 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.xml.sax.SAXException;
 
-/** The schema {@code scenarios/camsim.xsd}: accepts every real file and rejects broken ones. */
+/** Tests that {@code scenarios/camsim.xsd} accepts every real file and rejects broken ones. */
 class ScenarioSchemaTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root"));
 

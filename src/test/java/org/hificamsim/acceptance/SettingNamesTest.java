@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Errors name a setting as the user knows it; Python's are tested in python/tests. */
+/** Tests that messages name a setting as the user knows it. python/tests tests those of Python. */
 class SettingNamesTest {
   /** The libraries' only flags are those of another program: {@code git describe}. */
   private static final Pattern FLAG_OF_GIT =

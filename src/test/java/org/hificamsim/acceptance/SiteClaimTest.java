@@ -12,7 +12,7 @@ import org.hificamsim.runs.Settings;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What {@code place --evaluate} claims of shipped sites holds on a raster of people. */
+/** Tests that the claims of {@code place --evaluate} about shipped sites hold for people there. */
 class SiteClaimTest {
   private static final double POINTS = 1;
 

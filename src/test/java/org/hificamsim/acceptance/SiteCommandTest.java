@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** {@code site}, and what other commands make of its scenarios. */
+/** Tests {@code site}, and other commands on its scenarios. */
 class SiteCommandTest {
   private static final Path SITES = Cli.ROOT.resolve("examples/plans");
 

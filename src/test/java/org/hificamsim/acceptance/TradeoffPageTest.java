@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.openqa.selenium.WebElement;
 
-/** The page of a study of strategies in a browser. */
+/** Tests the page of a study of strategies in a browser. */
 class TradeoffPageTest {
   @TempDir static Path folder;
   private static Browser browser;

@@ -59,7 +59,7 @@ class ValidateAndListTest {
     assertTrue(validate.err().startsWith("error: " + bad + ":1:1: "), validate.err());
   }
 
-  /** And a sixth that follows from one of them: no camera named a. */
+  /** A scenario with five faults, and a sixth that follows from one of them: no camera named a. */
   private static final String FIVE_FAULTS =
       """
       <root>

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The output and errors of {@code view}; its page has tests of its own. */
+/** Tests the output and errors of {@code view}. Other tests are about its page. */
 class ViewCommandTest {
   @Test
   void printsAddressAndEndsWhenPageIsClosed() throws Exception {

@@ -41,7 +41,7 @@ final class ViewProcess implements AutoCloseable {
     }
   }
 
-  /** The address that was printed. */
+  /** Returns the address that the command printed. */
   String address() {
     return address;
   }

@@ -27,7 +27,7 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.cells.UsualTarget;
 
-/** What is claimed of zones, and a check of it by people on a fine raster. */
+/** Reads the claims of a plan about zones, and checks them by people on a fine raster. */
 final class ZoneRaster {
   private static final Pattern ZONE = Pattern.compile("zone ([^:]+): ([0-9.]+) %");
   private static final double EDGE = 0.1;
@@ -37,7 +37,7 @@ final class ZoneRaster {
 
   private ZoneRaster() {}
 
-  /** The shares of zones that a command prints, percent. */
+  /** Returns the shares of zones that a command printed, percent. */
   static Map<String, Double> claims(String output) {
     return ZONE.matcher(output)
         .results()
@@ -81,7 +81,7 @@ final class ZoneRaster {
     return places;
   }
 
-  /** The number of people whom enough cameras detect; others count in part. */
+  /** Returns the number of people whom enough cameras detect; others count in part. */
   private static double met(Scenario planned, Zone asked, List<Point> places) {
     TargetSpec usual = UsualTarget.of(planned);
     TargetSpec person = asked.facing() == null ? usual : usual.with(TargetSpec.SEEN, Seen.FACE);
@@ -116,7 +116,7 @@ final class ZoneRaster {
     return met;
   }
 
-  /** Compares angles by scalar products of directions, not by headings. */
+  /** Whether a camera sees a face as a zone asks, by scalar products instead of headings. */
   private static boolean isFaced(TargetSpec face, CameraSpec camera, Zone zone) {
     if (zone.facing() == null) {
       return true;
