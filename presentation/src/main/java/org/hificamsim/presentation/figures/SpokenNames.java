@@ -64,7 +64,7 @@ public final class SpokenNames {
   }
 
   /** The name of a policy or detection, such as {@code hifi:orb-lin@chance}, in words. */
-  static String of(String spec) {
+  public static String of(String spec) {
     Matcher parts = RULE.matcher(spec);
     if (!parts.matches()) {
       return spec;

@@ -3,12 +3,15 @@ package org.hificamsim.presentation.picture;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.presentation.figures.SpokenNames;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Fonts;
 import org.hificamsim.presentation.plot.Legend;
@@ -26,6 +29,7 @@ public final class StepPicture implements Paintable {
   static final int MARGIN = 12;
   static final int HEADING_HEIGHT = 62;
   static final Color FAINT = new Color(0x6B7785);
+  private static final MathContext DIGITS = new MathContext(4);
   private static final int MAX_FIELD_HEIGHT = 900;
   private static final int MIN_FIELD_HEIGHT = 160;
   private static final int CHART_HEIGHT = 110;
@@ -135,10 +139,10 @@ public final class StepPicture implements Paintable {
   static String settings(Setup setup, long seed) {
     return "%s, %s%s%s, seed %s"
         .formatted(
-            setup.policy(),
-            setup.detection(),
+            SpokenNames.of(setup.policy()),
+            SpokenNames.of(setup.detection()),
             setup.isByChance() ? ": half of the time at " : " with threshold ",
-            setup.threshold(),
+            BigDecimal.valueOf(setup.threshold()).round(DIGITS).stripTrailingZeros().toPlainString(),
             seed);
   }
 }
