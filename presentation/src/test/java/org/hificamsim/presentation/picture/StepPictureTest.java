@@ -79,6 +79,12 @@ class StepPictureTest {
   }
 
   @Test
+  void namesPolicyAndDetectionInWords() {
+    String settings = StepPicture.settings(run.setup(), 3);
+    assertTrue(settings.endsWith(", ORB linear with threshold 0.0441, seed 3"), settings);
+  }
+
+  @Test
   void trailsFarOutsideAreLeftOut(@TempDir Path folder) throws IOException {
     RunFrames far =
         recorded(
