@@ -142,7 +142,10 @@ public final class StepPicture implements Paintable {
             SpokenNames.of(setup.policy()),
             SpokenNames.of(setup.detection()),
             setup.isByChance() ? ": half of the time at " : " with threshold ",
-            BigDecimal.valueOf(setup.threshold()).round(DIGITS).stripTrailingZeros().toPlainString(),
+            BigDecimal.valueOf(setup.threshold())
+                .round(DIGITS)
+                .stripTrailingZeros()
+                .toPlainString(),
             seed);
   }
 }
