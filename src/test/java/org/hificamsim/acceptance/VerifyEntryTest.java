@@ -156,6 +156,7 @@ class VerifyEntryTest {
     rejects(files, "policy-a.onnx: no such file");
     Files.writeString(files.resolve("policy-a.onnx"), "changed");
     rejects(files, "policy-a.onnx: SHA-256");
+    assertEquals(2, Cli.run("benchmark", "check", files).exit(), "a board would believe it");
     rejects(
         copy(honest, root -> root.putObject("files").put("../entry.json", "0")), "no such file");
   }

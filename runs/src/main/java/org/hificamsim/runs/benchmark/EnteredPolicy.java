@@ -43,7 +43,7 @@ final class EnteredPolicy {
       throw InputException.of(
           "%s: %s is a bound, expected a policy that cameras can run", folder, entry.policy());
     }
-    entry.files().forEach(this::requireUnchanged);
+    requireUnchangedFiles(BenchmarkEntry.file(folder), entry);
     entry.tasks().keySet().forEach(task -> requirePlayable(benchmark, forTask(task)));
   }
 
@@ -61,8 +61,17 @@ final class EnteredPolicy {
     }
   }
 
-  private void requireUnchanged(String name, String hash) {
-    Path file = folder.resolve(PREFIX + name);
+  /**
+   * Rejects an entry whose policy files are not those that it was recorded with.
+   *
+   * @param entryFile the file of the entry, beside which they lie
+   */
+  static void requireUnchangedFiles(Path entryFile, BenchmarkEntry entry) {
+    entry.files().forEach((name, hash) -> requireUnchanged(entryFile, name, hash));
+  }
+
+  private static void requireUnchanged(Path entryFile, String name, String hash) {
+    Path file = entryFile.resolveSibling(PREFIX + name);
     BenchmarkEntry.requireRegular(file);
     if (name.contains("/") || name.contains("\\") || !Files.isRegularFile(file)) {
       throw InputException.of("%s: no such file, expected the policy's", file);

@@ -53,6 +53,7 @@ public final class EntryCheck {
     if (entry.tasks().isEmpty()) {
       throw InputException.of("%s: no task, expected one or more", file);
     }
+    EnteredPolicy.requireUnchangedFiles(file, entry);
     List<RecordedEpisode> episodes = new ArrayList<>();
     entry.tasks().forEach((task, scores) -> episodes.addAll(episodes(file, task, scores)));
     Parallel.map(episodes, threads, this::check);
