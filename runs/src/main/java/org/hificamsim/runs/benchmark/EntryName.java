@@ -1,5 +1,6 @@
 package org.hificamsim.runs.benchmark;
 
+import java.lang.Character.UnicodeBlock;
 import java.lang.Character.UnicodeScript;
 import java.text.Normalizer;
 import java.util.EnumSet;
@@ -22,6 +23,16 @@ final class EntryName {
           UnicodeScript.HANGUL,
           UnicodeScript.BOPOMOFO);
 
+  /** Blocks of letters for sounds, many of which look like Latin letters. */
+  private static final Set<UnicodeBlock> PHONETIC =
+      Set.of(
+          UnicodeBlock.IPA_EXTENSIONS,
+          UnicodeBlock.PHONETIC_EXTENSIONS,
+          UnicodeBlock.PHONETIC_EXTENSIONS_SUPPLEMENT);
+
+  /** Letters that are shown as nothing: fillers of Korean and Braille. */
+  private static final String FILLERS = "\u115f\u1160\u3164\uffa0\u2800";
+
   /** Characters that look like the ones at the same index of {@link #LATIN}. */
   private static final String LOOKALIKES =
       "\u0430\u0432\u0435\u043a\u043c\u043d\u043e\u0440\u0441\u0442\u0443\u0445\u0455\u0456\u0458"
@@ -39,6 +50,9 @@ final class EntryName {
       throw InputException.of(
           "name has %s characters, expected 1 to %s and not only blanks",
           name.length(), MAX_LENGTH);
+    }
+    if (name.codePoints().mapToObj(UnicodeBlock::of).anyMatch(PHONETIC::contains)) {
+      throw new InputException("name has phonetic letters, which look like others, expected none");
     }
     Set<UnicodeScript> scripts = scripts(name);
     if (scripts.remove(UnicodeScript.LATIN)) {
@@ -78,7 +92,7 @@ final class EntryName {
               Character.UNASSIGNED,
               Character.PRIVATE_USE ->
           true;
-      default -> false;
+      default -> FILLERS.indexOf(character) >= 0;
     };
   }
 
@@ -102,6 +116,9 @@ final class EntryName {
   }
 
   private static int latin(int character) {
+    if (Character.getType(character) == Character.DASH_PUNCTUATION) {
+      return '-';
+    }
     int index = LOOKALIKES.indexOf(character);
     return index < 0 ? character : LATIN.charAt(index);
   }

@@ -35,6 +35,12 @@ class EntryNameTest {
   }
 
   @Test
+  void dashesLookAlike() {
+    assertEquals(EntryName.skeleton("co-op"), EntryName.skeleton("co\u2010op"));
+    assertEquals(EntryName.skeleton("co-op"), EntryName.skeleton("co\u2014op"));
+  }
+
+  @Test
   void differentNamesHaveDifferentSkeletons() {
     assertNotEquals(EntryName.skeleton("QMIX"), EntryName.skeleton("VDN"));
     assertNotEquals(EntryName.skeleton("\u5354\u529b"), EntryName.skeleton("\u5354\u540c"));
@@ -47,7 +53,17 @@ class EntryNameTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", " ", "a\nb", "a\u202eb", "a\u200bb", "co\u043eperative"})
+  @ValueSource(
+      strings = {
+        "",
+        " ",
+        "a\nb",
+        "a\u202eb",
+        "a\u200bb",
+        "a\u3164b",
+        "co\u043eperative",
+        "h\u1d0fnest"
+      })
   void rejectsNamesThatDeceive(String name) {
     assertThrows(InputException.class, () -> EntryName.require(name));
   }
