@@ -37,7 +37,8 @@ final class PolicyProgram implements AutoCloseable {
         Files.copy(script, folder.resolve(SCRIPT));
       }
       PythonInterpreter python = PythonInterpreter.find();
-      List<String> command = List.of(python.executable().toString(), "-I", SCRIPT, COPY);
+      String original = file.toAbsolutePath().toString();
+      List<String> command = List.of(python.executable().toString(), "-I", SCRIPT, COPY, original);
       program =
           new LimitedProgram(
               folder, command, sandbox.reading(readable(python)).hiding(python.simulator()));

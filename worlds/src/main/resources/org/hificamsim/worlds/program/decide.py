@@ -19,9 +19,10 @@ def take(shape, kind):
 
 
 told = json.loads(into.readline())
-space = {"__name__": "policy", "__file__": sys.argv[1]}
-with open(sys.argv[1], encoding="utf-8") as file:
-    exec(compile(file.read(), sys.argv[1], "exec"), space)
+copy, original = sys.argv[1:]
+space = {"__name__": "policy", "__file__": original}
+with open(copy, encoding="utf-8") as file:
+    exec(compile(file.read(), original, "exec"), space)
 if "policy" not in space:
     sys.exit("it has no 'policy', expected a function of observations and masks")
 policy = space["policy"]
