@@ -73,11 +73,14 @@ export function zoneNames(context, {zones: shown, map, colours, unit}) {
 
 const middle = list => (Math.min.apply(null, list) + Math.max.apply(null, list)) / 2;
 
+/** How much of a plate's height two may share: more than what rounding leaves between them. */
+const OVERLAP = 0.01;
+
 /** Moves a plate down until it covers no other one. */
 function freePlate(plates, plate) {
   const covers = other =>
     Math.abs(other.x - plate.x) < (other.width + plate.width) / 2 &&
-    Math.abs(other.y - plate.y) < plate.height;
+    Math.abs(other.y - plate.y) < plate.height * (1 - OVERLAP);
   const covered = plates.find(covers);
   if (!covered) return plate;
   return freePlate(plates, Object.assign({}, plate, {y: covered.y + plate.height}));
