@@ -50,13 +50,11 @@ record PlanReview(Path file, EvaluatedPlan plan) {
         .demand()
         .zones()
         .forEach(zone -> screen.say("  zone %s: %s", zone.name(), met(cover, zone)));
-    List<BlindSpot> spots = cover.blindSpots();
-    List<BlindSpot> shown = BlindSpot.shown(spots, MAX_ROWS);
-    shown.forEach(spot -> screen.say("  not seen as asked: %s", spot));
-    int more = spots.size() - shown.size();
-    if (more > 0) {
-      double area = spots.stream().skip(shown.size()).mapToDouble(BlindSpot::area).sum();
-      screen.say("  and %s: %.1f m2", Texts.counted(more, "smaller spot"), area);
+    BlindSpot.Listing spots = BlindSpot.Listing.of(cover.blindSpots(), MAX_ROWS);
+    spots.shown().forEach(spot -> screen.say("  not seen as asked: %s", spot));
+    if (spots.others() > 0) {
+      screen.say(
+          "  and %s: %.1f m2", Texts.counted(spots.others(), "smaller spot"), spots.otherArea());
     }
   }
 

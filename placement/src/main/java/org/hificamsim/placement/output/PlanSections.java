@@ -190,25 +190,21 @@ final class PlanSections {
   }
 
   private Section blindSpotTable() {
-    List<BlindSpot> spots = plan.cover().blindSpots();
-    List<BlindSpot> shown = BlindSpot.shown(spots, MAX_SPOTS);
-    double restArea = spots.stream().skip(shown.size()).mapToDouble(BlindSpot::area).sum();
+    BlindSpot.Listing spots = BlindSpot.Listing.of(plan.cover().blindSpots(), MAX_SPOTS);
     Stream<List<String>> rest =
-        restArea > 0
-            ? Stream.of(
-                List.of(
-                    spots.size() - shown.size() + " more", Texts.format("%.1f", restArea), "", ""))
+        spots.others() > 0
+            ? Stream.of(List.of(spots.others() + " more", squareMetres(spots.otherArea()), "", ""))
             : Stream.of();
     return new Section(
         "Not seen as asked",
         List.of("zone", "square metres", "around x, m", "y, m"),
         Stream.concat(
-                shown.stream()
+                spots.shown().stream()
                     .map(
                         spot ->
                             List.of(
                                 spot.zone(),
-                                Texts.format("%.1f", spot.area()),
+                                squareMetres(spot.area()),
                                 Texts.format("%.1f", spot.x()),
                                 Texts.format("%.1f", spot.y()))),
                 rest)

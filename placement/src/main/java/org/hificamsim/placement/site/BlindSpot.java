@@ -38,9 +38,26 @@ public record BlindSpot(String zone, double area, double x, double y) {
     return largestFirst(spots.stream());
   }
 
-  /** Returns the largest of some spots that are in order; none whose area is 0.0 as it is shown. */
-  public static List<BlindSpot> shown(List<BlindSpot> spots, int most) {
-    return spots.stream().filter(spot -> spot.area >= LEAST_SHOWN_AREA).limit(most).toList();
+  /**
+   * Some blind spots as people read them.
+   *
+   * @param shown the largest spots, in their order; none whose area is 0.0 as it is shown
+   * @param others the number of all other spots
+   * @param otherArea the area of all other spots, square metres
+   */
+  public record Listing(List<BlindSpot> shown, int others, double otherArea) {
+    /**
+     * Lists spots.
+     *
+     * @param spots the spots, the largest first
+     * @param most the greatest number of spots to show
+     */
+    public static Listing of(List<BlindSpot> spots, int most) {
+      List<BlindSpot> shown =
+          spots.stream().filter(spot -> spot.area >= LEAST_SHOWN_AREA).limit(most).toList();
+      List<BlindSpot> others = spots.subList(shown.size(), spots.size());
+      return new Listing(shown, others.size(), others.stream().mapToDouble(BlindSpot::area).sum());
+    }
   }
 
   static List<BlindSpot> largestFirst(Stream<BlindSpot> spots) {

@@ -4,14 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.runs.cells.FieldCells;
 import org.junit.jupiter.api.Test;
@@ -32,15 +29,17 @@ class BlindSpotTest {
             new BlindSpot("till", 2, 7, 1)),
         spots,
         "the first is joined at a corner; the end of a row and the next row are apart");
-    assertEquals(spots.subList(0, 2), BlindSpot.shown(spots, 2));
-    assertEquals(List.of(), BlindSpot.shown(List.of(new BlindSpot("till", 0.04, 1, 1)), 2));
+    assertEquals(spots.subList(0, 2), BlindSpot.Listing.of(spots, 2).shown());
+    assertEquals(1, BlindSpot.Listing.of(spots, 2).others());
+    List<BlindSpot> slivers = List.of(new BlindSpot("till", 0.04, 1, 1));
+    assertEquals(new BlindSpot.Listing(List.of(), 1, 0.04), BlindSpot.Listing.of(slivers, 2));
   }
 
   @Test
   void sumToAreaThatIsNotMet() throws IOException {
-    Path file =
-        Files.writeString(
-            folder.resolve("site.xml"),
+    Scenario site =
+        TestSite.read(
+            folder,
             """
 <root>
   <simulation min_x="0" max_x="20" min_y="0" max_y="12" order="coverage">
@@ -55,15 +54,8 @@ class BlindSpotTest {
 </root>
 """);
     Catalogue catalogue = Catalogue.load();
-    Scenario site = ScenarioReader.read(file, movement -> true, warning -> {});
     Detection asked = Detection.of(catalogue.detections().create("geometric"));
-    Demand demand =
-        Demand.of(
-            site,
-            Sampling.equal(30),
-            Optional.empty(),
-            new Demand.Detections(asked, name -> asked),
-            Optional.empty());
+    Demand demand = TestSite.demand(site, Sampling.equal(30), asked);
     PlanCover cover =
         PlanCover.of(
             demand, new PointSight(demand, catalogue), site.cameras(), CoverageReading.FIXED);

@@ -4,13 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.runs.cells.FieldCells;
 import org.junit.jupiter.api.Test;
@@ -20,9 +17,9 @@ class DemandTest {
   @TempDir private Path folder;
 
   private Demand demand(Sampling sampling) throws IOException {
-    Path file =
-        Files.writeString(
-            folder.resolve("site.xml"),
+    Scenario site =
+        TestSite.read(
+            folder,
             """
 <root>
   <simulation min_x="0" max_x="20" min_y="0" max_y="12" order="coverage">
@@ -33,14 +30,8 @@ class DemandTest {
   </simulation>
 </root>
 """);
-    Scenario site = ScenarioReader.read(file, movement -> true, warning -> {});
     Detection detection = Detection.of(Catalogue.load().detections().create("geometric"));
-    return Demand.of(
-        site,
-        sampling,
-        Optional.empty(),
-        new Demand.Detections(detection, name -> detection),
-        Optional.empty());
+    return TestSite.demand(site, sampling, detection);
   }
 
   @Test

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Random;
@@ -17,7 +16,6 @@ import org.hificamsim.core.Texts;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioReader;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,10 +36,9 @@ class MountPointsTest {
   }
 
   private Scenario site(String attributes, String obstacles, String zones) throws IOException {
-    Path file =
-        Files.writeString(
-            folder.resolve("site.xml"),
-            """
+    return TestSite.read(
+        folder,
+        """
 <root>
   <simulation min_x="0" max_x="20" min_y="0" max_y="20" order="coverage" %s>
     <obstacles>%s</obstacles>
@@ -51,8 +48,7 @@ class MountPointsTest {
   </simulation>
 </root>
 """
-                .formatted(attributes, obstacles, zones));
-    return ScenarioReader.read(file, movement -> true, warning -> {});
+            .formatted(attributes, obstacles, zones));
   }
 
   private static List<Point> points(Scenario site, boolean ceiling) {

@@ -3,14 +3,11 @@ package org.hificamsim.placement.site;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioReader;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -28,9 +25,9 @@ class ViewReachTest {
    * @param wall an element of the site; empty for none
    */
   private ViewReach reach(String camera, String wall, String detection) throws IOException {
-    Path file =
-        Files.writeString(
-            folder.resolve("site.xml"),
+    Scenario site =
+        TestSite.read(
+            folder,
             """
 <root>
   <simulation min_x="0" max_x="50" min_y="0" max_y="50" order="coverage">
@@ -44,15 +41,8 @@ class ViewReachTest {
 </root>
 """
                 .formatted(wall, camera));
-    Scenario site = ScenarioReader.read(file, movement -> true, warning -> {});
     Detection asked = Detection.of(CATALOGUE.detections().create(detection));
-    Demand demand =
-        Demand.of(
-            site,
-            Sampling.equal(10),
-            Optional.empty(),
-            new Demand.Detections(asked, name -> asked),
-            Optional.empty());
+    Demand demand = TestSite.demand(site, Sampling.equal(10), asked);
     return new ViewReach.Axis(site.cameras().get(0), 0, LENGTH).reach(demand, asked, CATALOGUE);
   }
 
