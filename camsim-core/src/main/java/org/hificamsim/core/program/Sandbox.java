@@ -27,6 +27,11 @@ public record Sandbox(long seconds, int megabytes, List<Path> readable, List<Pat
   private static final String SCRIPT =
       new String(Io.resource(Sandbox.class, "sandbox.sh"), StandardCharsets.UTF_8);
 
+  /** Limits for a program that reads nothing but its own folder and what the system has. */
+  public Sandbox(long seconds, int megabytes) {
+    this(seconds, megabytes, List.of(), List.of());
+  }
+
   /** Whether this system confines programs: Linux does where users may make namespaces. */
   public static boolean confines() {
     return Confinement.AVAILABLE;
@@ -37,7 +42,7 @@ public record Sandbox(long seconds, int megabytes, List<Path> readable, List<Pat
     private static final boolean AVAILABLE = isAvailable();
 
     private static boolean isAvailable() {
-      Sandbox sandbox = new Sandbox(10, 1_000, List.of(), List.of());
+      Sandbox sandbox = new Sandbox(10, 1_000);
       try (LimitedProgram nothing = new LimitedProgram(folder(), List.of("true"), sandbox, true)) {
         return nothing.exit() == 0;
       } catch (IOException e) {
@@ -56,9 +61,10 @@ public record Sandbox(long seconds, int megabytes, List<Path> readable, List<Pat
         seconds, megabytes, Stream.concat(readable.stream(), more.stream()).toList(), hidden);
   }
 
-  /** The same limits for a program from which folders are hidden. */
-  public Sandbox hiding(List<Path> folders) {
-    return new Sandbox(seconds, megabytes, readable, folders);
+  /** The same limits for a program from which more folders are hidden. */
+  public Sandbox hiding(List<Path> more) {
+    return new Sandbox(
+        seconds, megabytes, readable, Stream.concat(hidden.stream(), more.stream()).toList());
   }
 
   /** Starts a program in a folder, with nothing of this process's environment. */

@@ -35,7 +35,9 @@ class SandboxTest {
     Files.writeString(hidden.resolve("oracle"), "truth");
     Path packages = Files.writeString(folder.resolve("packages/library"), "shown").getParent();
     Sandbox sandbox =
-        new Sandbox(10, 1_000, List.of(packages), List.of(hidden, folder.resolve("no folder")));
+        new Sandbox(10, 1_000)
+            .reading(List.of(packages))
+            .hiding(List.of(hidden, folder.resolve("no folder")));
     String script =
         "cat '" + packages + "/library'; ls -A '" + hidden + "'; echo .; true 2>/dev/null >'";
     assertEquals("shown.\n", said(script + hidden + "/new' || true", sandbox, true));
@@ -57,12 +59,12 @@ class SandboxTest {
   @Test
   void limitedProgramReadsAllFiles() throws IOException {
     Path secret = Files.writeString(folder.resolve("secret"), "open");
-    Sandbox sandbox = new Sandbox(10, 1_000, List.of(), List.of());
+    Sandbox sandbox = new Sandbox(10, 1_000);
     assertEquals("open\n", said("cat '" + secret + "'; echo", sandbox, false));
   }
 
   private String run(String script, List<Path> readable) throws IOException {
-    return said(script, new Sandbox(10, 1_000, readable, List.of()), Sandbox.confines());
+    return said(script, new Sandbox(10, 1_000).reading(readable), Sandbox.confines());
   }
 
   private String said(String script, Sandbox sandbox, boolean confined) throws IOException {

@@ -50,7 +50,7 @@ final class EpisodeProgram implements AutoCloseable {
           new LimitedProgram(
               folder,
               command(folder, python),
-              new Sandbox(seconds, limits.megabytes(), readable, List.of()));
+              new Sandbox(seconds, limits.megabytes()).reading(readable));
     } catch (IOException e) {
       throw new InputException("Java cannot be run (" + e.getMessage() + "), expected it", e);
     }

@@ -29,7 +29,7 @@ public final class PythonPolicy implements ZoomPolicy, Closeable {
   private ObservationLayout layout = ObservationLayout.DEFAULT;
   private boolean belief;
   private ActionKind kind = ActionKind.VIEW;
-  private Sandbox sandbox = new Sandbox(1, 1, List.of(), List.of());
+  private Sandbox sandbox = new Sandbox(1, 1);
   private ObservedPlay play;
   private PolicyProgram program;
 
@@ -49,9 +49,7 @@ public final class PythonPolicy implements ZoomPolicy, Closeable {
     sandbox =
         new Sandbox(
             options.integer("seconds", 300, 1, 86_400, "of processor time for an episode"),
-            options.integer("memory", 4096, 64, 1_000_000, "that it may take, megabytes"),
-            List.of(),
-            List.of());
+            options.integer("memory", 4096, 64, 1_000_000, "that it may take, megabytes"));
     if (kind == ActionKind.RATES) {
       throw new InputException("policy python: actions is 'rates', expected view or steps");
     }
