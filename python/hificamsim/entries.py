@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from . import spaces
-from .errors import InputError, path, shown
+from .errors import InputError, flag, path, shown
 from .results import execute
 from .worlds import TASKS, TESTING, Array, Worlds, tasks
 
@@ -36,7 +36,8 @@ def benchmark(
     :param name: the name of the entry
     :param only: the names of the tasks to play, all by default
     :param per_task: whether ``policy`` takes a task's name, and returns the policy for it
-    :param settings: settings of observations and actions, as for ``Worlds``: targets, neighbours, actions
+    :param settings: settings of observations and actions, as for ``Worlds``: targets, neighbours, actions; for a Python file
+        ``weights`` as well, a file that the entry gets a copy of, and whose path the policy finds in ``WEIGHTS``
     :returns: for each task the scores of its episodes, each the mean score of a step
     """
     known = tasks()
@@ -44,6 +45,7 @@ def benchmark(
     for task in chosen:
         if task not in known:
             raise InputError(f"task is {shown(task)}, expected one of {', '.join(known)}")
+    per_task = flag(per_task, "per_task")
     if isinstance(policy, (str, os.PathLike)):
         return _enter(path(policy, "policy"), out, name, chosen, settings)
     scores = {}
@@ -59,8 +61,10 @@ def benchmark(
 
 def _enter(file: str, out: str | os.PathLike[str], name: str, chosen: list[str], settings: dict[str, Any]) -> dict[str, Array]:
     """Enters a policy in a file."""
-    options = [f"{key}={_word(value)}" for key, value in settings.items()]
-    policy = "python:" + ",".join([f"file={os.path.abspath(file)}", *options])
+    files = {"file": file} | {key: path(settings[key], key) for key in settings.keys() & {"weights"}}
+    words = {key: os.path.abspath(file) for key, file in files.items()}
+    words |= {key: _word(value) for key, value in settings.items() if key not in files}
+    policy = "python:" + ",".join(f"{key}={word}" for key, word in words.items())
     out = os.fspath(out)
     execute("benchmark", "run", "--policy", policy, "--name", name, "--tasks", ",".join(chosen), "--out", out)
     entry = json.loads(pathlib.Path(out, "entry.json").read_text(encoding="utf-8"))

@@ -7,6 +7,8 @@ import operator
 import os
 from typing import Any
 
+import numpy as np
+
 MAX_SHOWN = 80
 MAX_HALF = 400
 
@@ -71,6 +73,13 @@ def whole(value: Any, name: str, least: int = -(2**63), most: int = 2**63 - 1) -
     if number is None or not least <= number <= most:
         raise InputError(f"{name} is {shown(value)}, expected a whole number from {least} to {most}")
     return number
+
+
+def flag(value: Any, name: str) -> bool:
+    """Returns a value after checking that it is True or False; those of NumPy become Python's."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise InputError(f"{name} is {shown(value)}, expected True or False")
+    return bool(value)
 
 
 def plain(value: Any, name: str) -> object:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .errors import InputError
+from .errors import InputError, flag, whole
 from .worlds import Array, Worlds
 
 
@@ -27,8 +27,9 @@ def dataset(
     for name in ("actions", "auto_reset"):
         if name in settings:
             raise InputError(f"unknown setting {name!r}: experts choose views, an episode at a time")
+    idle = flag(idle, "idle")
     parts: dict[str, list[Array]] = {}
-    with Worlds(scenario, episodes, expert=expert, auto_reset=False, **settings) as worlds:
+    with Worlds(scenario, whole(episodes, "episodes", 1), expert=expert, auto_reset=False, **settings) as worlds:
         worlds.begin(None)
         worlds.actions[...] = -1
         step = 0

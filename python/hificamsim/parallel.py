@@ -12,7 +12,7 @@ from gymnasium.utils import seeding
 from pettingzoo import ParallelEnv
 
 from . import spaces
-from .errors import InputError, shown
+from .errors import InputError, flag, shown
 from .remade import Remade, State
 from .screen import Screen
 from .worlds import DETAILS, MEASURES, Array, rendered, require_episode
@@ -53,9 +53,9 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
             if "steps" in settings:
                 raise InputError(f"max_cycles is {shown(max_cycles)} beside steps, expected one of them")
             settings["steps"] = max_cycles
+        self._equal = flag(equal_spaces, "equal_spaces")
         modes = self.metadata["render_modes"]
         self.worlds = rendered(scenario, render_mode, modes, settings, num_envs=1, auto_reset=False)
-        self._equal = equal_spaces
         self.render_mode = render_mode
         self._screen = Screen(self.worlds.name) if render_mode == "human" else None
         self.width = width
@@ -154,7 +154,7 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
 
     def restore(self, state: State) -> tuple[dict[str, Array], dict[str, dict[str, Any]]]:
         """Continues from a state; returns observations and infos as they were."""
-        self.worlds.restore(state)
+        self.worlds.restore(state, tuple)
         playing, self.np_random.bit_generator.state = state.own
         self.agents = self.possible_agents[:] if playing else []
         return self._observations(), self._infos()

@@ -42,8 +42,10 @@ class State:
     settings: dict[str, Any]
     own: Any = None
 
-    def check(self, settings: dict[str, Any]) -> None:
-        """Rejects a state of an environment with other settings."""
+    def check(self, settings: dict[str, Any], own: type) -> None:
+        """Rejects a state of an environment with other settings, or of another kind."""
+        if not isinstance(self.own, own):
+            raise InputError("the state is of another kind of environment, expected one that this kind saved")
         for name in self.settings.keys() | settings.keys():
             saved, present = self.settings.get(name), settings.get(name)
             if saved != present:

@@ -12,7 +12,7 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from . import spaces
-from .errors import InputError, shown, whole
+from .errors import InputError, flag, shown, whole
 from .remade import Remade, State
 from .worlds import DETAILS, MEASURES, Array, rendered, require_episode
 
@@ -64,13 +64,13 @@ class CameraVectorEnv(Remade, VectorEnv[Any, Any, Any]):
         self.metadata = {**self.metadata, "autoreset_mode": mode}
         if not isinstance(per, str) or per not in ("world", "camera"):
             raise InputError(f"per is {shown(per)}, expected 'world' or 'camera'")
+        self.copy = flag(copy, "copy")
         self.worlds = rendered(
             scenario, render_mode, self.metadata["render_modes"], settings, num_envs=num_envs,
             auto_reset=mode.name.lower().replace("_", "-"),
         )
         self.render_mode = render_mode
         self.per = per
-        self.copy = copy
         self._cameras_per_world = len(self.worlds.cameras)
         self.num_envs = num_envs * (self._cameras_per_world if per == "camera" else 1)
         if per == "camera":
@@ -183,7 +183,7 @@ class CameraVectorEnv(Remade, VectorEnv[Any, Any, Any]):
 
     def restore(self, state: State) -> tuple[Array, dict[str, Any]]:
         """Continues from a state; returns observations and infos as they were."""
-        self.worlds.restore(state)
+        self.worlds.restore(state, bool)
         self._begun = state.own
         return self._returned(self._observations), self._infos()
 
@@ -259,7 +259,7 @@ class NetworkEnv(Remade, gymnasium.Env[Any, Any]):
 
     def restore(self, state: State) -> tuple[Array, dict[str, Any]]:
         """Continues from a state; returns observations and infos as they were."""
-        self.worlds.restore(state)
+        self.worlds.restore(state, tuple)
         self._playing, self.np_random.bit_generator.state = state.own
         return self.worlds.observations[0].copy(), self._info()
 

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .backends import open_backend
-from .errors import Closed, InputError, NoEpisode, path, plain, shown, whole
+from .errors import Closed, InputError, NoEpisode, flag, path, plain, shown, whole
 from .remade import Remade, State
 
 Array = npt.NDArray[Any]
@@ -112,7 +112,7 @@ class Worlds(Remade):
         task = str(scenario) if str(scenario) in tasks() else None
         self.file = scenario_file(scenario) if task is None else str(shipped() / "benchmark.json")
         self.num_envs = num_envs = whole(num_envs, "num_envs")
-        self._testing = testing
+        self._testing = testing = flag(testing, "testing")
         self._refused_seeds = () if testing or task is None else TESTING
         self._check_seed(whole(settings.get("seed") or 0, "seed"), num_envs)
         if threads is None:
@@ -217,11 +217,14 @@ class Worlds(Remade):
         """Returns the state of all worlds, from which ``restore`` continues exactly, together with ``own``."""
         return State(self._backend.save(), self._identity(), own)
 
-    def restore(self, state: State) -> None:
-        """Continues from a state of these worlds, or of others with the same settings."""
+    def restore(self, state: State, own: type = object) -> None:
+        """Continues from a state of these worlds, or of others with the same settings.
+
+        :param own: the type of what must have been saved together with the state
+        """
         if not isinstance(state, State):
             raise InputError(f"state is {shown(state)}, expected what save() returned")
-        state.check(self._identity())
+        state.check(self._identity(), own)
         self._backend.restore(state.worlds)
         self._begun = True
 

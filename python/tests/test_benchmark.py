@@ -143,7 +143,7 @@ def test_rate_policy_enters_benchmark(tmp_path: pathlib.Path) -> None:
         return random.uniform(-1, 1, (len(observations), 2))
 
     hificamsim.benchmark(drift, tmp_path / "entry", name="drift", only=["mate-4v8-9-v1"], actions="rates")
-    assert "drift, 1 tasks, agrees" in hificamsim.execute("benchmark", "check", str(tmp_path / "entry"))
+    assert "drift, 1 task, agrees" in hificamsim.execute("benchmark", "check", str(tmp_path / "entry"))
 
 
 class Clip:

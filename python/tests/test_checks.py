@@ -219,3 +219,23 @@ def test_rejects_settings_that_environments_set_themselves() -> None:
     for per in ("World", "", 3, None, ["world"]):
         with pytest.raises(hificamsim.InputError, match="^per is .*, expected 'world' or 'camera'$"):
             hificamsim.vector_env("campus", per=per)
+
+
+@pytest.mark.parametrize("value", ["maybe", "no", 1, None, np.array([True])])
+def test_rejects_what_is_neither_true_nor_false(value: Any) -> None:
+    for name, open_with in (
+        ("equal_spaces", lambda **given: hificamsim.parallel_env("campus", **given)),
+        ("copy", lambda **given: hificamsim.vector_env("campus", **given)),
+        ("testing", lambda **given: hificamsim.Worlds("campus", **given)),
+        ("idle", lambda **given: hificamsim.dataset("campus", **given)),
+        ("per_task", lambda **given: hificamsim.benchmark(len, "out", name="mine", **given)),
+    ):
+        with pytest.raises(hificamsim.InputError, match=f"^{name} is .*, expected True or False$"):
+            open_with(**{name: value})
+    with contextlib.closing(hificamsim.parallel_env("campus", equal_spaces=np.True_)) as env:
+        assert env.possible_agents
+
+
+def test_rejects_dataset_without_episodes() -> None:
+    with pytest.raises(hificamsim.InputError, match="^episodes is 0, expected a whole number from 1 to"):
+        hificamsim.dataset("campus", episodes=0)

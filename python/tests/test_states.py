@@ -83,6 +83,8 @@ def test_rejects_state_that_does_not_fit() -> None:
         env.restore(dataclasses.replace(state, worlds=state.worlds[:-3]))
     with pytest.raises(hificamsim.InputError, match="state is 5, expected what save"):
         env.restore(5)
+    with pytest.raises(hificamsim.InputError, match="state is of another kind of environment"):
+        env.restore(env.worlds.save())
     with hificamsim.Worlds("corridor", saves=False) as worlds:
         with pytest.raises(hificamsim.InputError, match="expected saves= to save a state"):
             worlds.save()

@@ -58,6 +58,25 @@ def test_file_scores_like_the_same_function_and_is_verified(tmp_path: pathlib.Pa
     assert code == 0 and found["reproduced"]
 
 
+def test_file_reads_weights_that_are_copied_into_its_entry(tmp_path: pathlib.Path) -> None:
+    (tmp_path / "trained").mkdir()
+    weights = tmp_path / "trained" / "net.npz"
+    np.savez(weights, priority=np.array([1.0]))
+    text = "import numpy\nassert numpy.load(WEIGHTS)['priority'] == 1\n" + GREEDY
+    entry = enter(tmp_path, text, "weighted", weights=weights, **BELIEF)
+    assert (entry / "policy-net.npz").read_bytes() == weights.read_bytes()
+    told = (entry / "entry.json").read_text()
+    assert str(tmp_path) not in told and '"weights=' not in told, told
+    weights.unlink()
+    code, found = verify(entry)
+    assert code == 0 and found["reproduced"]
+    (entry / "policy-net.npz").write_bytes(b"others")
+    with pytest.raises(hificamsim.InputError, match="policy-net.npz: SHA-256"):
+        hificamsim.execute("benchmark", "check", str(entry))
+    with pytest.raises(hificamsim.InputError, match="weights is '.*net.npz', expected a readable file"):
+        enter(tmp_path, GREEDY, "missing", weights=weights, **BELIEF)
+
+
 def test_file_is_row_of_comparison_with_same_bytes(tmp_path: pathlib.Path) -> None:
     file = tmp_path / "first.py"
     file.write_text("def policy(observations, masks):\n    return masks.argmax(-1)\n")

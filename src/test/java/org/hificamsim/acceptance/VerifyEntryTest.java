@@ -1,6 +1,7 @@
 package org.hificamsim.acceptance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -70,6 +71,21 @@ class VerifyEntryTest {
     String how = Sandbox.confines() ? "fresh seeds" : "unconfined";
     assertTrue(rows.stream().anyMatch(row -> row.startsWith("tracker,tracker," + how + ",")));
     assertTrue(rows.stream().anyMatch(row -> row.contains("independent-greedy,actions,")));
+  }
+
+  @Test
+  void ranksNoUnverifiedEntryAmongVerifiedOnes() throws IOException {
+    Path out = folder.resolve("verified-for-rank");
+    verify(honest, out);
+    Path board = folder.resolve("board-of-verified");
+    Path other = play("random");
+    Cli.run("benchmark", "leaderboard", honest, other, "--verified", out, "--out", board);
+    String page = Files.readString(board.resolve("leaderboard.html"));
+    assertTrue(page.contains("random (not verified, no rank)"), page);
+    assertFalse(page.contains("tracker (not verified"), page);
+    Cli.run("benchmark", "leaderboard", honest, other, "--out", folder.resolve("board-of-all"));
+    String all = Files.readString(folder.resolve("board-of-all").resolve("leaderboard.html"));
+    assertFalse(all.contains("not verified"), all);
   }
 
   @Test
@@ -148,7 +164,9 @@ class VerifyEntryTest {
   @Test
   void rejectsEntriesWithoutOnePolicyForAllSeeds() throws IOException {
     rejects(copy(honest, root -> root.put("policy", "played")), "a list of actions");
-    rejects(copy(honest, root -> root.put("policy", "onnx:file={seed}.onnx")), "has {seed}");
+    Path seeded = copy(honest, root -> root.put("policy", "onnx:file={seed}.onnx"));
+    rejects(seeded, "has {seed}");
+    assertEquals(2, Cli.run("benchmark", "check", seeded).exit(), "a board would believe it");
     rejects(better, "independent-greedy is a bound");
     rejects(copy(better, root -> root.put("policy", "greedy")), "greedy is a bound");
     rejects(copy(honest, root -> root.put("policy", "optimal")), "optimal is a bound");

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.LongStream;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.report.LeaderboardReport;
@@ -93,7 +94,8 @@ final class BenchmarkCommand {
     EntryCheck check = new EntryCheck(ShippedScenarios.tasks(), threads.count());
     for (Path folder : folders) {
       BenchmarkEntry entry = check.check(folder);
-      screen.say("%s: %s, %d tasks, agrees", folder, entry.name(), entry.tasks().size());
+      String tasks = Texts.counted(entry.tasks().size(), "task");
+      screen.say("%s: %s, %s, agrees", folder, entry.name(), tasks);
     }
   }
 

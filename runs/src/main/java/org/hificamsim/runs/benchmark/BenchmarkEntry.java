@@ -75,6 +75,7 @@ public record BenchmarkEntry(
     requireAll("the SHA-256 of each file", files.values().toArray());
     EntryName.require(name);
     EntryName.requireVisible("policy", policy);
+    requireOnePolicy(policy);
     if (policy.length() > MAX_POLICY) {
       throw InputException.of(
           "policy has %s characters, expected at most %s", policy.length(), MAX_POLICY);
@@ -100,10 +101,14 @@ public record BenchmarkEntry(
     /** Rejects a name that cannot be shown, and a policy that knows the seeds. */
     public Application {
       EntryName.require(name);
-      if (knowsSeeds(policy) && !isPlayed(policy)) {
-        throw InputException.of(
-            "policy %s has %s, expected one policy for all episodes of a task", policy, SEED);
-      }
+      requireOnePolicy(policy);
+    }
+  }
+
+  private static void requireOnePolicy(String policy) {
+    if (policy.contains(SEED) && !isPlayed(policy)) {
+      throw InputException.of(
+          "policy %s has %s, expected one policy for all episodes of a task", policy, SEED);
     }
   }
 
@@ -149,7 +154,7 @@ public record BenchmarkEntry(
         new BenchmarkEntry(
             ManifestFile.version(),
             application.name(),
-            withoutPath(application.policy()),
+            withoutFolders(application, files),
             files,
             scores);
     JsonOutput.write(folder, FILE, MAPPER.valueToTree(entry));
@@ -171,19 +176,17 @@ public record BenchmarkEntry(
     return plans;
   }
 
-  /** Omits the path of recorded actions: the entry contains the same actions. */
-  private static String withoutPath(String policy) {
-    return isPlayed(policy) ? PLAYED : policy;
+  /** Omits where the policy's files were, since the entry has them all. */
+  private static String withoutFolders(Application application, Map<String, String> files) {
+    String policy = application.policy();
+    return isPlayed(policy)
+        ? PLAYED
+        : EnteredPolicy.replaceFiles(policy, application.tasks(), files.keySet(), name -> name);
   }
 
   /** Whether a policy plays recorded actions. */
   static boolean isPlayed(String policy) {
     return policy.split(":", 2)[0].equals(PLAYED);
-  }
-
-  /** Whether a policy's options depend on the seed of the episode. */
-  static boolean knowsSeeds(String policy) {
-    return policy.contains(SEED);
   }
 
   private static TaskScores scores(BenchmarkTask task, String actions, List<Episode> episodes) {

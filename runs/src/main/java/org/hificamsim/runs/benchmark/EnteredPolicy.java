@@ -3,7 +3,9 @@ package org.hificamsim.runs.benchmark;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Map;
+import java.util.List;
+import java.util.Set;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.Io;
@@ -17,6 +19,7 @@ final class EnteredPolicy {
   /** The prefix of the copies of a policy's files. */
   static final String PREFIX = "policy-";
 
+  private static final String TASK = "{task}";
   private static final String PART_BOUNDARY = "(?<=[:,=])|(?=[:,=])";
 
   private final Path folder;
@@ -33,11 +36,6 @@ final class EnteredPolicy {
       throw InputException.of(
           "%s has a list of actions, expected a policy: onnx:FILE, python:FILE or one by its name",
           folder);
-    }
-    if (BenchmarkEntry.knowsSeeds(entry.policy())) {
-      throw InputException.of(
-          "%s: policy %s has {seed}, expected one policy for all episodes of a task",
-          folder, entry.policy());
     }
     if (benchmark.isBound(entry.policy())) {
       throw InputException.of(
@@ -84,9 +82,25 @@ final class EnteredPolicy {
 
   /** The policy for a task, with its options. */
   String forTask(String task) {
-    Map<String, String> files = entry.files();
-    return Arrays.stream(entry.policy().replace("{task}", task).split(PART_BOUNDARY))
-        .map(part -> files.containsKey(name(part)) ? copy(name(part)) : part)
+    return replaceFiles(
+        entry.policy().replace(TASK, task), List.of(task), entry.files().keySet(), this::copy);
+  }
+
+  /**
+   * Replaces the paths of files in the options of a policy.
+   *
+   * @param tasks the tasks, by whose names paths may differ
+   * @param files the names of the files
+   * @param replacement returns what stands for a file, given its name
+   */
+  static String replaceFiles(
+      String policy, List<String> tasks, Set<String> files, UnaryOperator<String> replacement) {
+    return Arrays.stream(policy.split(PART_BOUNDARY))
+        .map(
+            part ->
+                tasks.stream().anyMatch(task -> files.contains(name(part.replace(TASK, task))))
+                    ? replacement.apply(name(part))
+                    : part)
         .collect(Collectors.joining());
   }
 

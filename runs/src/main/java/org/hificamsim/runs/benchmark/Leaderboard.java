@@ -19,12 +19,34 @@ import org.hificamsim.runs.statistics.Aggregate;
 import org.hificamsim.runs.statistics.Strata;
 
 /**
- * Checked entries, the best first. After these come the bounds, which know what no camera can know
- * and play out of competition, and then the entries that lack tasks; both have no rank.
+ * Checked entries, the best first. After those that have a rank come others, by {@link Standing},
+ * and then the entries that lack tasks.
  */
 public final class Leaderboard {
   private static final String MEAN = "mean";
   private static final String FORMAT = "%.3f";
+
+  /** Whether an entry has a rank, and if not, why. */
+  private enum Standing {
+    RANKED(""),
+    /** Only its actions were replayed, while others were verified on fresh seeds. */
+    UNVERIFIED("not verified, no rank"),
+    /** It knows what no camera can know. */
+    BOUND("a bound, out of competition"),
+    /** It scored more in testing than its policy does on fresh seeds. */
+    NOT_HELD("does not hold on fresh seeds, no rank");
+
+    private final String reason;
+
+    Standing(String reason) {
+      this.reason = reason;
+    }
+
+    /** The name of an entry, with why it has no rank. */
+    String mark(String name) {
+      return reason.isEmpty() ? name : name + " (" + reason + ")";
+    }
+  }
 
   /** A figure of an entry: of one task, or of all if the task is empty. */
   private record Figure(
@@ -66,8 +88,7 @@ public final class Leaderboard {
         entries.stream()
             .sorted(
                 Comparator.comparing((BenchmarkEntry entry) -> !hasAllTasks(entry))
-                    .thenComparing(this::failed)
-                    .thenComparing(this::isBound)
+                    .thenComparing(this::standing)
                     .thenComparing(entry -> -Aggregate.interquartileMean(strata(entry)))
                     .thenComparing(BenchmarkEntry::name))
             .toList();
@@ -85,18 +106,21 @@ public final class Leaderboard {
     }
   }
 
-  /** Whether an entry scored more in testing than its policy does on fresh seeds. */
-  private boolean failed(BenchmarkEntry entry) {
-    return verified.get(entry) == VerificationOutcome.NOT_HELD;
+  private Standing standing(BenchmarkEntry entry) {
+    if (verified.get(entry) == VerificationOutcome.NOT_HELD) {
+      return Standing.NOT_HELD;
+    }
+    if (benchmark.isBound(entry.policy())) {
+      return Standing.BOUND;
+    }
+    return verified.isEmpty() || verified.containsKey(entry)
+        ? Standing.RANKED
+        : Standing.UNVERIFIED;
   }
 
   private String verification(BenchmarkEntry entry) {
     VerificationOutcome outcome = verified.get(entry);
     return outcome == null ? "actions" : outcome.label();
-  }
-
-  private boolean isBound(BenchmarkEntry entry) {
-    return benchmark.isBound(entry.policy());
   }
 
   private boolean hasAllTasks(BenchmarkEntry entry) {
@@ -122,19 +146,17 @@ public final class Leaderboard {
     List<Figure> figures = figures(entry);
     if (hasAllTasks(entry)) {
       String score = text(figures, "", Aggregate.IQM.label());
-      return isBound(entry) || failed(entry)
-          ? "-  " + marked(entry) + ": " + score
-          : Texts.format("%s  %-11s  %s", score, verification(entry), entry.name());
+      return standing(entry) == Standing.RANKED
+          ? Texts.format("%s  %-11s  %s", score, verification(entry), entry.name())
+          : "-  " + marked(entry) + ": " + score;
     }
     return figures.stream()
         .map(figure -> figure.task + " " + figure.value.text(FORMAT))
         .collect(joining(", ", "-  " + marked(entry) + ", no place without all tasks: ", ""));
   }
 
-  /** The name of an entry, with a mark if it plays out of competition. */
   private String marked(BenchmarkEntry entry) {
-    String bound = isBound(entry) ? " (a bound, out of competition)" : "";
-    return entry.name() + bound + (failed(entry) ? " (does not hold on fresh seeds, no rank)" : "");
+    return standing(entry).mark(entry.name());
   }
 
   /** The names of a page's columns. */

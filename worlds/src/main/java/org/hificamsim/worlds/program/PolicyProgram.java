@@ -24,12 +24,13 @@ final class PolicyProgram implements AutoCloseable {
   private final LimitedProgram program;
 
   /**
-   * Starts the program in a folder of its own, with a copy of the file.
+   * Starts the program in a folder of its own, with a copy of the policy.
    *
+   * @param files the policy, and the weights that it reads if it has any
    * @param header a line with the sizes of the arrays that the program reads and writes
    */
-  PolicyProgram(Path file, String header, Sandbox sandbox) {
-    this.file = file;
+  PolicyProgram(List<Path> files, String header, Sandbox sandbox) {
+    file = files.get(0);
     try {
       Path folder = Files.createTempDirectory("policy");
       Files.copy(file, folder.resolve(COPY));
@@ -37,11 +38,14 @@ final class PolicyProgram implements AutoCloseable {
         Files.copy(script, folder.resolve(SCRIPT));
       }
       PythonInterpreter python = PythonInterpreter.find();
-      String original = file.toAbsolutePath().toString();
-      List<String> command = List.of(python.executable().toString(), "-I", SCRIPT, COPY, original);
+      List<String> command =
+          new ArrayList<>(List.of(python.executable().toString(), "-I", SCRIPT, COPY));
+      files.forEach(original -> command.add(original.toAbsolutePath().toString()));
+      List<Path> readable = new ArrayList<>(python.folders());
+      readable.add(file.toAbsolutePath().getParent());
+      readable.addAll(files);
       program =
-          new LimitedProgram(
-              folder, command, sandbox.reading(readable(python)).hiding(python.simulator()));
+          new LimitedProgram(folder, command, sandbox.reading(readable).hiding(python.simulator()));
       send(header.getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new InputException(
@@ -49,13 +53,6 @@ final class PolicyProgram implements AutoCloseable {
               .formatted(file, e.getMessage(), PythonInterpreter.VARIABLE),
           e);
     }
-  }
-
-  /** The paths that the program may read: its interpreter, and the folder of the file. */
-  private List<Path> readable(PythonInterpreter python) {
-    List<Path> readable = new ArrayList<>(python.folders());
-    readable.add(file.toAbsolutePath().getParent());
-    return readable;
   }
 
   /** Sends the observations and masks of cameras, and receives their actions. */

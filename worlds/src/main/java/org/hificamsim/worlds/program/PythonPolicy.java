@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Texts;
@@ -20,12 +21,14 @@ import org.hificamsim.worlds.ObservedPlay;
  * A policy in a Python file, {@code python:FILE}. The file has a {@code policy}, a function of
  * observations, float32 (cameras, numbers), and masks, uint8 (cameras, choices), that returns an
  * action for each camera; its method {@code begin}, if it has one, is called before each episode.
- * Each episode runs in a process of its own, which gets nothing else ({@link Sandbox}).
+ * {@code WEIGHTS} is the path of the file that the option {@code weights} names. Each episode runs
+ * in a process of its own, which gets nothing else ({@link Sandbox}).
  */
 public final class PythonPolicy implements ZoomPolicy, Closeable {
   private static final int MAX_OBSERVED = 1_000;
 
   private String file = "";
+  private String weights = "";
   private ObservationLayout layout = ObservationLayout.DEFAULT;
   private boolean belief;
   private ActionKind kind = ActionKind.VIEW;
@@ -41,6 +44,7 @@ public final class PythonPolicy implements ZoomPolicy, Closeable {
   @Override
   public void configure(Options options) {
     file = options.mainText("file", "", "the policy, in Python");
+    weights = options.text("weights", "", "a file that the policy reads as WEIGHTS");
     belief = options.choice("belief", Answer.NO, "whether it observes the belief") == Answer.YES;
     kind = options.choice("actions", ActionKind.VIEW, "what an action is: view, steps");
     int targets = options.integer("targets", 4, 0, MAX_OBSERVED, "that it observes");
@@ -59,9 +63,17 @@ public final class PythonPolicy implements ZoomPolicy, Closeable {
   }
 
   private void requireReadable() {
-    if (file.isEmpty() || !Files.isReadable(Path.of(file))) {
+    requireReadable("file", file);
+    if (!weights.isEmpty()) {
+      requireReadable("weights", weights);
+    }
+  }
+
+  private static void requireReadable(String option, String path) {
+    if (!Files.isRegularFile(Path.of(path)) || !Files.isReadable(Path.of(path))) {
       throw InputException.of(
-          "policy python: file is '%s', expected a readable file: python:FILE", file);
+          "policy python: %s is '%s', expected a readable file: python:FILE,weights=FILE",
+          option, path);
     }
   }
 
@@ -72,7 +84,7 @@ public final class PythonPolicy implements ZoomPolicy, Closeable {
 
   @Override
   public List<Path> files() {
-    return file.isEmpty() ? List.of() : List.of(Path.of(file));
+    return Stream.of(file, weights).filter(name -> !name.isEmpty()).map(Path::of).toList();
   }
 
   @Override
@@ -85,7 +97,7 @@ public final class PythonPolicy implements ZoomPolicy, Closeable {
         Texts.format(
             "{\"cameras\": %d, \"numbers\": %d, \"choices\": %d, \"actions\": %d}\n",
             network.cameras(), used.size(), Masks.width(network, kind), kind.numbers());
-    program = new PolicyProgram(Path.of(file), header, sandbox);
+    program = new PolicyProgram(files(), header, sandbox);
   }
 
   @Override

@@ -19,8 +19,8 @@ def take(shape, kind):
 
 
 told = json.loads(into.readline())
-copy, original = sys.argv[1:]
-space = {"__name__": "policy", "__file__": original}
+copy, original, *weights = sys.argv[1:]
+space = {"__name__": "policy", "__file__": original, "WEIGHTS": weights[0] if weights else None}
 with open(copy, encoding="utf-8") as file:
     exec(compile(file.read(), original, "exec"), space)
 if "policy" not in space:
