@@ -11,10 +11,12 @@ import pytest
 EXAMPLES = pathlib.Path(__file__).resolve().parents[1] / "examples"
 NOTEBOOK = EXAMPLES / "cameras-that-learn.ipynb"
 CHECKS = """
-assert (len(built_in), len(table)) == (5, 7)
-assert curve.score.iloc[-3:].mean() > 1.5 * curve.score.iloc[0]
-assert table["mean"]["mine"] > 1.2 * table["mean"]["epsilon-greedy"]
-assert table["mean"]["trained for longer"] > 0.9 * table["mean"]["best-fixed"]
+assert (len(built_in), len(table)) == (6, 8)
+assert curve.agreement.iloc[-1] > 0.7 and curve.minutes.iloc[-1] < 2
+assert table["mean"]["mine"] > 2 * table["mean"]["epsilon-greedy"]
+assert table["mean"]["mine"] > table["mean"]["best-fixed"]
+assert table["mean"]["mine"] > 0.85 * table["mean"]["cooperative"]
+assert table["mean"]["trained on all tasks"] > 0.85 * table["mean"]["cooperative"]
 assert (folder / "report.html").exists()
 """
 
@@ -36,12 +38,10 @@ def test_notebook_runs(notebook: Any) -> None:
     import nbformat
 
     nbclient = pytest.importorskip("nbclient")
-    for name in ("ipykernel", "matplotlib", "onnx"):
+    for name in ("ipykernel", "matplotlib", "onnx", "jax", "optax"):
         pytest.importorskip(name)
     if not (EXAMPLES.parents[1] / "onnx/build/install/onnx").exists():
         pytest.skip("no ONNX Runtime: gradle :onnx:libraries")
-    training = next(cell for cell in notebook.cells if "UPDATES = 60" in cell.source)
-    training.source = training.source.replace("UPDATES = 60", "UPDATES = 12")  # that is enough to see it learn
     notebook.cells.append(nbformat.v4.new_code_cell(CHECKS))
     client = nbclient.NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(EXAMPLES)}})
     client.execute()
