@@ -17,7 +17,7 @@ HERE = pathlib.Path(__file__).parent
 
 
 def hold_of(policy):
-    return float(policy.partition("hold=")[2] or 0.02)
+    return float(policy.partition("hold=")[2])
 
 
 def means(folder):

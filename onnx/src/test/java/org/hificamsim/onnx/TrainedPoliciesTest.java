@@ -41,8 +41,14 @@ class TrainedPoliciesTest {
     StringWriter out = new StringWriter();
     StringWriter errors = new StringWriter();
     String[] words = {
-      "benchmark", "run", "--policy", "onnx:" + TRAINED.resolve("views.onnx"),
-      "--tasks", task, "--out", folder.resolve("entry").toString()
+      "benchmark",
+      "run",
+      "--policy",
+      "onnx:" + TRAINED.resolve("views.onnx"),
+      "--tasks",
+      task,
+      "--out",
+      folder.resolve("entry").toString()
     };
     int exit = Main.execute(new PrintWriter(out), new PrintWriter(errors, true), words);
     assertEquals(0, exit, errors.toString());

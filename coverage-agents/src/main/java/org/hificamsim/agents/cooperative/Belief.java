@@ -82,10 +82,7 @@ final class Belief {
       searchMap.look(cells, chances, learnedSight, camera);
       compareWithTracks(network, report);
     }
-    double knownTargets = 0;
-    for (int i = 0; i < tracks.count(); i++) {
-      knownTargets += tracks.weight(tracks.track(i));
-    }
+    double knownTargets = tracks.sumOfWeights();
     tracks.forget(network.step(), searchMap);
     double spread = Math.min(MAX_SPREAD, tracks.meanStepLength() / site.grid().side());
     searchMap.step(spread, knownTargets);

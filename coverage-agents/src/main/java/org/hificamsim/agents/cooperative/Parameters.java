@@ -12,7 +12,7 @@ import org.hificamsim.core.registry.Options;
  * @param lead worth of a target that is covered by one camera fewer than it needs
  * @param further worth of one more camera on a target, as a part of that of the one before, where
  *     the least k counts
- * @param hold a camera keeps its view unless another one is worth more by this share
+ * @param hold what each move on a way must add, as a share of the known targets for each camera
  * @param decay weight of a track, compared with the step before, while no camera sees its target
  * @param memory number of steps after which a target that no camera sees is forgotten
  * @param cells approximate number of cells of the search map
@@ -50,7 +50,7 @@ record Parameters(
         options.number("lead", 0.1, 0, 1, "worth of a target with one camera less than it needs"),
         options.number("further", 0.2, 0, 1, "worth of one more camera where the least k counts"),
         options.number(
-            "hold", 0.02, 0, MAX_NUMBER, "share by which another view must be worth more"),
+            "hold", 0.06, 0, MAX_NUMBER, "share of a camera's known targets that a move must add"),
         options.number("decay", 0.97, 0, 1, "weight of a target that was seen a step ago"),
         options.integer("memory", 30, 0, (int) MAX_NUMBER, "steps until a target is forgotten"),
         options.integer("cells", 2000, 1, MAX_CELLS, "cells of the search map, about"),

@@ -34,6 +34,10 @@ final class Plan {
   private int searchedCamera = NONE;
 
   private Site site;
+
+  /** What a camera must gain by each move of its way. */
+  private double movePrice;
+
   private double[] unseenTargets = {};
   private double[] gains = {};
   private CellSight cellSight;
@@ -67,6 +71,7 @@ final class Plan {
     System.arraycopy(expected, 0, unseenTargets, 0, unseenTargets.length);
     Arrays.fill(planned, false);
     searchedCamera = NONE;
+    movePrice = parameters.hold() * tracks.sumOfWeights() / plannedWays.length;
     for (int camera = 0; camera < plannedWays.length; camera++) {
       if (network.online(camera)) {
         viewForecasts[camera].update(network, camera, belief, forecast);
@@ -149,9 +154,11 @@ final class Plan {
     for (int view = 0; view < views; view++) {
       addRewardsBeyondTracks(camera, view, views, rewards);
     }
-    waySearch.solve();
+    waySearch.solve(movePrice);
+    int present = network.view(camera);
     for (int view = 0; view < views; view++) {
-      gains[view] = Math.max(0, waySearch.value(viewForecasts[camera].delay(view), view));
+      double value = waySearch.value(viewForecasts[camera].delay(view), view);
+      gains[view] = Math.max(0, view == present ? value : value - movePrice);
     }
     restore(camera, wasPlanned);
     searchedCamera = camera;
@@ -242,17 +249,10 @@ final class Plan {
   }
 
   /**
-   * Returns the present view of a camera unless another one gains more by a share of {@code hold};
-   * else the view with the greatest gain. Of views with equal gains it is the first of those that
-   * are reached soonest.
+   * Returns the view with the greatest gain; of views with equal gains the present one, or else the
+   * first of those that are reached soonest.
    */
   int best(NetworkView network, int camera, double[] viewGains) {
-    int present = network.view(camera);
-    int best = mostGainingView(network, camera, viewGains);
-    return viewGains[best] > (1 + parameters.hold()) * viewGains[present] ? best : present;
-  }
-
-  private int mostGainingView(NetworkView network, int camera, double[] viewGains) {
     ViewForecast viewForecast = viewForecasts[camera];
     int best = network.view(camera);
     for (int view = 0; view < network.views(camera); view++) {

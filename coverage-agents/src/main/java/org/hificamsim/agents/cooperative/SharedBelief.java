@@ -13,7 +13,7 @@ import org.hificamsim.core.registry.Options;
  */
 public final class SharedBelief {
   /** Stays as it is when the policy's defaults change: trained networks depend on it. */
-  private static final String PARAMETERS = "search=0.4,further=0.2";
+  private static final String PARAMETERS = "search=0.4,further=0.2,hold=0";
 
   private final BeliefExchange exchange;
   private final ViewOutlook[] outlooks;

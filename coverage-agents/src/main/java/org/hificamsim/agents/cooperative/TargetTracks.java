@@ -72,6 +72,15 @@ final class TargetTracks {
     return number;
   }
 
+  /** The number of targets that are expected to be where their tracks are. */
+  double sumOfWeights() {
+    double sum = 0;
+    for (int i = 0; i < knownCount; i++) {
+      sum += tracks[knownTracks[i]].weight;
+    }
+    return sum;
+  }
+
   /** Moves all targets by one step, and lowers their weights, which a sighting restores. */
   void step() {
     for (int i = 0; i < knownCount; i++) {

@@ -29,6 +29,9 @@ final class WaySearch {
 
   private final int[] way;
 
+  /** What each move must add. */
+  private double movePrice;
+
   WaySearch(int horizon) {
     this.horizon = horizon;
     way = new int[horizon];
@@ -56,8 +59,13 @@ final class WaySearch {
     return rewards;
   }
 
-  /** Finds the best way from each view and step on. */
-  void solve() {
+  /**
+   * Finds the best way from each view and step on.
+   *
+   * @param price what each move on a way must add, in the unit of the rewards; 0 or more
+   */
+  void solve(double price) {
+    movePrice = price;
     int last = (horizon - 1) * views;
     for (int view = 0; view < views; view++) {
       values[last + view] = rewards[last + view];
@@ -95,16 +103,21 @@ final class WaySearch {
     int following = (step + 1) * views;
     int best = view;
     double bestValue = values[following + view];
-    for (int i = 0; i < views && values[following + order[i]] > bestValue + TIE; i++) {
+    for (int i = 0; i < views && values[following + order[i]] > enough(bestValue); i++) {
       int next = order[i];
       int arrival = step + 1 + times.blindSteps(view, next);
-      if (arrival < horizon && values[arrival * views + next] > bestValue + TIE) {
+      if (arrival < horizon && values[arrival * views + next] > enough(bestValue)) {
         best = next;
-        bestValue = values[arrival * views + next];
+        bestValue = values[arrival * views + next] - movePrice;
       }
     }
     nextViews[state] = best;
     values[state] = rewards[state] + bestValue;
+  }
+
+  /** What a view must be worth for a move to it to add more than a value. */
+  private double enough(double value) {
+    return value + movePrice + TIE;
   }
 
   /** The worth of the best way that sees through a view after some steps; 0 past the horizon. */

@@ -12,7 +12,8 @@ final class Ways {
     return goal(way, 0);
   }
 
-  private static int goal(int[] way, int step) {
+  /** The view that a camera has in a step, or is on its way to. */
+  static int goal(int[] way, int step) {
     return way[step] >= 0 ? way[step] : ~way[step];
   }
 

@@ -16,7 +16,7 @@ class SequentialGreedyTest {
   private static final int VIEWS = 5;
   private static final int TARGETS = 8;
   private static final Parameters PARAMETERS =
-      Parameters.from(Options.parse("cooperative", "search=0"));
+      Parameters.from(Options.parse("cooperative", "search=0,hold=0"));
 
   /** Each view of a camera detects random targets, or random ones of the camera's own targets. */
   private static final class RandomSets extends ToyNetwork {

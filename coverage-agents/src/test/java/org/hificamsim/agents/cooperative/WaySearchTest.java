@@ -14,6 +14,7 @@ class WaySearchTest {
 
   private final SplittableRandom random = new SplittableRandom(5);
   private final WaySearch search = new WaySearch(HORIZON);
+  private double movePrice;
 
   @Test
   void findsTheBestOfAllWays() {
@@ -23,7 +24,8 @@ class WaySearchTest {
       for (int i = 0; i < HORIZON * VIEWS; i++) {
         rewards[i] = random.nextInt(4) == 0 ? random.nextDouble() : 0;
       }
-      search.solve();
+      movePrice = trial % 3 * 0.3;
+      search.solve(movePrice);
       for (int view = 0; view < VIEWS; view++) {
         double best = best(rewards, moveTimes, trial % 2, view);
         assertEquals(best, search.value(trial % 2, view), 1e-6, "trial " + trial);
@@ -41,22 +43,25 @@ class WaySearchTest {
     return times;
   }
 
-  private static double best(double[] rewards, int[] moveTimes, int step, int view) {
+  private double best(double[] rewards, int[] moveTimes, int step, int view) {
     if (step >= HORIZON) {
       return 0;
     }
     double after = 0;
     for (int next = 0; next < VIEWS; next++) {
       int arrival = step + 1 + moveTimes[view * VIEWS + next];
-      after = Math.max(after, best(rewards, moveTimes, arrival, next));
+      double price = next == view ? 0 : movePrice;
+      after = Math.max(after, best(rewards, moveTimes, arrival, next) - price);
     }
     return rewards[step * VIEWS + view] + after;
   }
 
-  private static double worth(double[] rewards, int[] way) {
+  private double worth(double[] rewards, int[] way) {
     double sum = 0;
     for (int step = 0; step < HORIZON; step++) {
       sum += way[step] >= 0 ? rewards[step * VIEWS + way[step]] : 0;
+      boolean sameGoal = step == 0 || Ways.goal(way, step) == Ways.goal(way, step - 1);
+      sum -= sameGoal ? 0 : movePrice;
     }
     return sum;
   }
@@ -64,7 +69,7 @@ class WaySearchTest {
   @Test
   void staysWhenNoOtherViewIsWorthMore() {
     search.begin(new TravelTimes(0, VIEWS, new int[VIEWS * VIEWS]));
-    search.solve();
+    search.solve(0);
     assertArrayEquals(new int[] {~2, 2, 2, 2}, search.way(1, 2));
   }
 
