@@ -200,6 +200,24 @@ def adapting(*folders):
     put("adapting", header, lines)
 
 
+def cooperation(perfect, bad):
+    """Of each site: the shares of what could be reached, of best-fixed and of cooperative cameras over both channels."""
+    lines = []
+    for folder in sorted(pathlib.Path(perfect).iterdir()):
+        most = statistics.mean(number(row["score"]) for row in rows(folder, "yardsticks.csv") if row["is"] == "at most")
+        fixed, own = (scores(folder, policy) for policy in ("best-fixed", "cooperative"))
+        late = scores(pathlib.Path(bad, folder.name), "cooperative")
+        least = min(score / fixed.get(seed, max(fixed.values())) for seed, score in late.items())  # recorded sites have one run
+        means = (f"{statistics.mean(found.values()) / most:.2f}" for found in (fixed, own, late))
+        lines.append([folder.name, *means, f"{least:.2f}"])
+    put("cooperation", ["", "`best-fixed`", "`cooperative`", "over the bad channel", "its worst run, over `best-fixed`"], lines)
+
+
+def scores(folder, policy):
+    """The scores of a policy by seed."""
+    return {row["seed"]: number(row["score"]) for row in rows(folder, "results.csv") if row["policy"] == policy}
+
+
 PARTS = {"nothing": "as it is", "pan": "no `pan`", "obstacles": "no obstacles", "occlusion": "no `occlusion`", "time": "no `pan_speed`, no `zoom_time`"}
 
 
@@ -498,5 +516,5 @@ def intervals(scores, tasks):
 
 
 if __name__ == "__main__":
-    parts = (benchmark, trained, curves, reproduce, sensitivity, sites, adapting, realism, ranks, arenas, turning, ratios, ladder, rungs, studies, saso, search, placement)
+    parts = (benchmark, trained, curves, reproduce, sensitivity, sites, adapting, cooperation, realism, ranks, arenas, turning, ratios, ladder, rungs, studies, saso, search, placement)
     {part.__name__: part for part in parts}[sys.argv[1]](*sys.argv[2:])
