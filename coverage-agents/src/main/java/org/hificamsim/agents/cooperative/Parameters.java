@@ -12,7 +12,8 @@ import org.hificamsim.core.registry.Options;
  * @param lead worth of a target that is covered by one camera fewer than it needs
  * @param further worth of one more camera on a target, as a part of that of the one before, where
  *     the least k counts
- * @param hold what each move on a way must add, as a share of the known targets for each camera
+ * @param hold what each move on a way must add, as a share of the known targets for each camera;
+ *     nothing if moves take no time
  * @param decay weight of a track, compared with the step before, while no camera sees its target
  * @param memory number of steps after which a target that no camera sees is forgotten
  * @param cells approximate number of cells of the search map

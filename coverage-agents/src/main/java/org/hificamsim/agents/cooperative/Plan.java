@@ -35,7 +35,7 @@ final class Plan {
 
   private Site site;
 
-  /** What a camera must gain by each move of its way. */
+  /** What a camera whose moves take time must gain by each of them. */
   private double movePrice;
 
   private double[] unseenTargets = {};
@@ -154,11 +154,12 @@ final class Plan {
     for (int view = 0; view < views; view++) {
       addRewardsBeyondTracks(camera, view, views, rewards);
     }
-    waySearch.solve(movePrice);
+    double price = site.travelTimes(camera).takesTime() ? movePrice : 0;
+    waySearch.solve(price);
     int present = network.view(camera);
     for (int view = 0; view < views; view++) {
       double value = waySearch.value(viewForecasts[camera].delay(view), view);
-      gains[view] = Math.max(0, view == present ? value : value - movePrice);
+      gains[view] = Math.max(0, view == present ? value : value - price);
     }
     restore(camera, wasPlanned);
     searchedCamera = camera;
