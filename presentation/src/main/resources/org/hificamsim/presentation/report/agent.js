@@ -1,4 +1,4 @@
-// What the selected camera does and knows, with a bar for its estimate of each zoom level or view.
+// The panel of the selected camera: what it does and knows, with a bar for each zoom level or view.
 import {el, setText} from './dom.js';
 import {PoseForm} from './pose-form.js';
 import {ViewTable} from './view-table.js';
@@ -9,21 +9,21 @@ import {decimals, metres} from './numbers.js';
 const MEANING = {
   Q: 'Q of the state the camera is in. ',
   gain:
-    'Gain: what a view adds to those that all others chose, over the steps to come, ' +
-    'where targets are believed. ',
+    'Gain: what a view would add over the next steps to the views that the others chose, ' +
+    'given where the camera believes targets to be. ',
   'mean reward': 'Reward: targets detected at that level. ',
 };
 
 export class AgentPanel {
   /**
-   * @param edit what {@link PoseForm} needs, `hold(camera, view)` and `held(camera)`; nothing if
-   *   cameras cannot be changed
+   * @param edit the functions that {@link PoseForm} needs, `hold(camera, view)` and
+   *   `isHeld(camera)`; undefined if cameras cannot be changed
    */
   constructor(run, edit) {
     this.run = run;
     this.camera = 0;
     this.form = edit && new PoseForm(edit);
-    this.counted = Boolean(run.estimated) && !['Q', 'gain'].includes(run.estimated);
+    this.hasCounts = Boolean(run.estimated) && !['Q', 'gain'].includes(run.estimated);
     this.title = el('h2', {}, '');
     this.facts = el('p', {class: 'facts'});
     this.edit = edit;
@@ -50,19 +50,19 @@ export class AgentPanel {
     const {pose} = this.run.setup.cameras[camera];
     const oneDirection = !pose.pans; // otherwise the estimates are in the table of views
     const estimated = oneDirection && this.run.estimated;
-    const counted = oneDirection && this.counted;
-    const heads = [pose.lenses ? 'angle' : 'radius', 'detects at'].map(text =>
+    const hasCounts = oneDirection && this.hasCounts;
+    const rangeHeads = [pose.lenses ? 'angle' : 'radius', 'detects at'].map(text =>
       el('th', {scope: 'col'}, text),
     );
     this.head.replaceChildren(
       el('th', {scope: 'col'}, 'level'),
-      ...heads,
+      ...rangeHeads,
       ...(estimated ? [el('th', {scope: 'col', class: 'wide'}, estimated)] : []),
-      ...(counted ? [el('th', {scope: 'col'}, 'times used')] : []),
+      ...(hasCounts ? [el('th', {scope: 'col'}, 'times used')] : []),
     );
     const canHold = oneDirection && this.edit;
     this.rows = pose.levels.map((level, i) =>
-      levelRow(i, estimated, counted, canHold && (() => this.edit.hold(this.camera, i))),
+      levelRow(i, estimated, hasCounts, canHold && (() => this.edit.hold(this.camera, i))),
     );
     this.showViews(pose);
     this.body.replaceChildren(...this.rows.map(row => row.element).reverse());
@@ -77,7 +77,7 @@ export class AgentPanel {
     const {edit} = this;
     const hold = edit && (view => edit.hold(this.camera, view));
     this.table = pose.pans ? new ViewTable(pose, hold) : null;
-    this.free = edit
+    this.releaseButton = edit
       ? el(
           'button',
           {type: 'button', class: 'free', hidden: true, onclick: () => hold(-1)},
@@ -87,7 +87,7 @@ export class AgentPanel {
     this.views.replaceChildren(
       ...[
         this.table && el('h3', {}, this.run.estimated ? `views: ${this.run.estimated}` : 'views'),
-        this.free,
+        this.releaseButton,
         this.table?.element,
       ].filter(Boolean),
     );
@@ -102,17 +102,17 @@ export class AgentPanel {
     const blind = run.seen(camera, frame) < 0;
     const online = run.online[camera][frame];
     const detects = `; detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets`;
-    const moves = blind ? '; on its way to its view, sees nothing' : '';
+    const turning = blind ? '; turning to its view, sees nothing' : '';
     setText(
       this.facts,
-      `x ${metres(pose.x)}, y ${metres(pose.y)}${online ? detects + moves : '; not online'}`,
+      `x ${metres(pose.x)}, y ${metres(pose.y)}${online ? detects + turning : '; not online'}`,
     );
     this.form?.show(camera, pose);
     if (pose !== this.pose) this.showLevels(pose);
     this.rows.forEach((row, i) =>
       row.element.classList.toggle('now', Boolean(online) && i === view % pose.levels.length),
     );
-    if (this.free) this.free.hidden = !this.edit.held(camera);
+    if (this.releaseButton) this.releaseButton.hidden = !this.edit.isHeld(camera);
     if (this.table) this.showTable(frame, online ? view : -1, blind);
     else if (run.estimated) this.showEstimates(frame);
     setText(this.note, this.remark());
@@ -120,9 +120,9 @@ export class AgentPanel {
 
   showTable(frame, view, blind) {
     const {run, camera} = this;
-    const inFrame = lists => (run.estimated ? lists[camera].map(list => list[frame]) : null);
-    const counts = this.counted ? inFrame(run.counts) : null;
-    this.table.show(view, blind, inFrame(run.estimates), counts);
+    const valuesInFrame = lists => (run.estimated ? lists[camera].map(list => list[frame]) : null);
+    const counts = this.hasCounts ? valuesInFrame(run.counts) : null;
+    this.table.show(view, blind, valuesInFrame(run.estimates), counts);
   }
 
   showLevels(pose) {
@@ -144,8 +144,8 @@ export class AgentPanel {
   }
 
   /**
-   * Shows a bar for each level; the longest is the largest absolute value, negative ones are
-   * hatched.
+   * Shows a bar for each level. The largest absolute value has the longest bar; negative values
+   * are hatched.
    */
   showEstimates(frame) {
     const values = this.run.estimates[this.camera].map(list => list[frame]);
@@ -169,21 +169,21 @@ export class AgentPanel {
     return (MEANING[this.run.estimated] || '') + this.bestViews() + this.messages() + range;
   }
 
-  /** The three views with the largest gain, the best first. */
+  /** Names the three views with the largest gain, the best first; empty without gains. */
   bestViews() {
     const {run, camera, frame} = this;
     if (run.estimated !== 'gain') return '';
     const gains = run.estimates[camera]
       .map((list, view) => [list[frame], view])
       .filter(([gain]) => Number.isFinite(gain));
-    const three = gains
+    const best = gains
       .sort(([a], [b]) => b - a)
       .slice(0, 3)
       .map(([gain, view]) => `${viewName(run.pose(camera, frame), view)}: ${decimals(gain, 3)}`);
-    return three.length ? `Most: ${three.join('; ')}. ` : '';
+    return best.length ? `Largest: ${best.join('; ')}. ` : '';
   }
 
-  /** The messages that the camera sent in this step, and who received them. */
+  /** Says what the camera sent in this step and which cameras received it. */
   messages() {
     const {run, camera, frame} = this;
     const sent = run.online[camera][frame] && sentMessages(run, frame, camera);
@@ -191,12 +191,12 @@ export class AgentPanel {
     const others = run.online.filter((list, i) => list[frame] && i !== camera).length;
     const names = sent.receivers.map(i => run.setup.cameras[i].name);
     const receivers = names.length === others ? 'all others' : names.join(', ') || 'nobody';
-    const first = sent.messages ? 'what it saw in one message' : 'no message of what it saw';
-    const more = sent.messages > 1 ? `, and in ${sent.messages - 1} more what it chooses` : '';
-    return `In this step it sent ${first}${more}; ${receivers} received it. `;
+    const seen = sent.messages ? 'what it saw in one message' : 'nothing of what it saw';
+    const chosen = sent.messages > 1 ? `, and what it chose in ${sent.messages - 1} more` : '';
+    return `In this step it sent ${seen}${chosen}; ${receivers} received it. `;
   }
 
-  /** The focal length of each level and the mount height, as the settings have them. */
+  /** Says the focal length of each level and the mount height, if the settings have them. */
   lens() {
     const {focal_lengths: lengths = [], mount_height: height} = this.run.lens ?? {};
     const levels = this.run.setup.cameras[this.camera].pose.levels.length;
@@ -207,7 +207,7 @@ export class AgentPanel {
   }
 }
 
-function levelRow(level, estimated, counted, hold) {
+function levelRow(level, estimated, hasCounts, hold) {
   const row = {
     radius: el('td'),
     range: el('td'),
@@ -238,7 +238,7 @@ function levelRow(level, estimated, counted, hold) {
     row.radius,
     row.range,
     estimated ? el('td', {class: 'wide'}, row.bar, row.value) : null,
-    counted ? row.count : null,
+    hasCounts ? row.count : null,
   );
   row.value.dataset.name = 'estimate';
   return row;

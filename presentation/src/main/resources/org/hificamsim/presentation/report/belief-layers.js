@@ -4,8 +4,8 @@ import {PARTS_PER_SIDE, partsOffset, sentMessages, TARGET_NUMBERS} from './belie
 import {poseAt} from './views.js';
 
 /**
- * Shades parts of the field in which unseen targets are expected, and draws a circle with a cross
- * for each target that was seen; the less certain the camera is of it, the paler.
+ * Shades the parts of the field where unseen targets are expected, and draws a circle with a cross
+ * for each target that was seen. The less certain the camera is of a target, the paler its circle.
  */
 export function beliefs(context, {belief, run, map, colours, unit}) {
   if (!belief) return;
@@ -26,7 +26,7 @@ export function beliefs(context, {belief, run, map, colours, unit}) {
   }
   context.lineWidth = 1.5 * unit;
   for (let i = 0; i < first; i += TARGET_NUMBERS) {
-    let [px, py, radius] = [
+    let [x, y, radius] = [
       map.x(belief[i]),
       map.y(belief[i + 1]),
       7 * unit + map.scale * belief[i + 3],
@@ -34,17 +34,19 @@ export function beliefs(context, {belief, run, map, colours, unit}) {
     if (!(belief[i + 2] > 0)) continue;
     context.globalAlpha = 0.25 + 0.75 * belief[i + 2];
     context.beginPath();
-    context.moveTo(px + radius, py);
-    context.arc(px, py, radius, 0, 2 * Math.PI);
-    context.moveTo(px - 4 * unit, py);
-    context.lineTo(px + 4 * unit, py);
-    context.moveTo(px, py - 4 * unit);
-    context.lineTo(px, py + 4 * unit);
+    context.moveTo(x + radius, y);
+    context.arc(x, y, radius, 0, 2 * Math.PI);
+    context.moveTo(x - 4 * unit, y);
+    context.lineTo(x + 4 * unit, y);
+    context.moveTo(x, y - 4 * unit);
+    context.lineTo(x, y + 4 * unit);
     context.stroke();
   }
 }
 
-/** An arrow from the selected camera to each camera that received its message in this step. */
+/**
+ * Draws an arrow from the selected camera to each camera that received its message in this step.
+ */
 export function messages(context, scene) {
   const {belief, run, frame, map, colours, unit, selected} = scene;
   const sent = belief && selected >= 0 && sentMessages(run, frame, selected);
@@ -56,13 +58,13 @@ export function messages(context, scene) {
   sent.receivers.forEach(receiver => {
     const to = poseAt(run, receiver, frame);
     const [x, y] = [map.x(to.x), map.y(to.y)];
-    const along = Math.atan2(y - map.y(from.y), x - map.x(from.x));
-    const [tipX, tipY] = [x - 9 * unit * Math.cos(along), y - 9 * unit * Math.sin(along)];
+    const angle = Math.atan2(y - map.y(from.y), x - map.x(from.x));
+    const [tipX, tipY] = [x - 9 * unit * Math.cos(angle), y - 9 * unit * Math.sin(angle)];
     context.moveTo(map.x(from.x), map.y(from.y));
     context.lineTo(tipX, tipY);
-    [along + 2.6, along - 2.6].forEach(back => {
+    [angle + 2.6, angle - 2.6].forEach(barb => {
       context.moveTo(tipX, tipY);
-      context.lineTo(tipX + 9 * unit * Math.cos(back), tipY + 9 * unit * Math.sin(back));
+      context.lineTo(tipX + 9 * unit * Math.cos(barb), tipY + 9 * unit * Math.sin(barb));
     });
   });
   context.stroke();

@@ -1,20 +1,21 @@
-// The numbers of the record BeliefFrame: what cameras believe in a frame, and the messages that
-// they sent. Recordings of older versions have no messages. Rhino runs this file too: see scene.js.
+// Reads the record BeliefFrame: what cameras believe in a frame, and the messages that they sent.
+// Recordings of older versions have no messages. Rhino runs this file too: see scene.js.
 
 /** The number of parts of the field along each side. */
 export const PARTS_PER_SIDE = 20;
 
-/** The numbers of one target: x, y, weight and spread. */
+/** How many numbers describe a target: x, y, weight and spread. */
 export const TARGET_NUMBERS = 4;
 
-const CAMERAS_PER_NUMBER = 32; // receivers are bits
+/** How many receivers one number has as its bits. */
+const CAMERAS_PER_NUMBER = 32;
 
 /** The index of the first number of the field's parts. */
 export const partsOffset = run => TARGET_NUMBERS * run.setup.targets.length;
 
 /**
- * Returns how many messages a camera sent in a frame and which cameras received them; null if that
- * is not known.
+ * Returns how many messages a camera sent in a frame and which cameras received them, {messages,
+ * receivers}; null if the recording does not say.
  */
 export function sentMessages(run, frame, camera) {
   const belief = run.belief[frame];

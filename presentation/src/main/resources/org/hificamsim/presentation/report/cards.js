@@ -1,14 +1,14 @@
-// Parts that several pages have: cards with a title, how the page was made, and drawings.
+// Elements that several pages use: cards with a title, the command that made the page, SVG.
 import {el} from './dom.js';
 
 export const card = (title, ...children) =>
   el('section', {class: 'card'}, el('h2', {}, title), ...children);
 
-/** A part that scrolls where it is too wide for the page; a label tells what it is. */
+/** A box that scrolls if its content is wider than the page; screen readers read its label. */
 export const scrollBox = (label, ...children) =>
   el('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': label}, ...children);
 
-/** The command that made a page, and the version. */
+/** A card with the command that made the page, and the version. */
 export const madeWith = ({command, version}) =>
   card(
     'Made with',
@@ -16,7 +16,7 @@ export const madeWith = ({command, version}) =>
     el('p', {class: 'note'}, `HiFi-CamSim ${version}`),
   );
 
-/** A part that is built when it is opened. */
+/** A folded card, whose content is built when it is first opened. */
 export function foldedCard(title, build) {
   const details = el(
     'details',
@@ -26,7 +26,7 @@ export function foldedCard(title, build) {
   return details;
 }
 
-/** A selection with its label; `nameOf` gives the text of a value. */
+/** A selection whose property `label` is its label; `nameOf` returns the text of a value. */
 export function labelledSelect(name, values, chosen, onchange, nameOf = value => value) {
   const select = el(
     'select',

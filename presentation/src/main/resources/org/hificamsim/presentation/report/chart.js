@@ -2,7 +2,8 @@
 import {el, onThemeChange, rem, setText, style} from './dom.js';
 import {MOST_RAW} from './smooth.js';
 
-const LEFT = 6.5; // rem, as in the style sheet
+// Margins in rem, as in the style sheet.
+const LEFT = 6.5;
 const RIGHT = 1;
 
 const axis = (extra = {}) => ({
@@ -13,14 +14,14 @@ const axis = (extra = {}) => ({
   ...extra,
 });
 
-/** A uPlot path: steps if every step is shown, otherwise straight lines between means. */
+/** A path for uPlot: a staircase if every step is shown, otherwise lines between means. */
 export function linePath(plot, ...rest) {
   const paths =
     plot.data[0].length > MOST_RAW ? uPlot.paths.linear() : uPlot.paths.stepped({align: 1});
   return paths(plot, ...rest);
 }
 
-/** The series of a quantity by step, pale, and of its moving mean. */
+/** Two series for uPlot: a quantity by step, pale, and its moving mean. */
 export const curveSeries = () => [
   {
     stroke: () => style('--faint'),
@@ -35,14 +36,14 @@ export const curveSeries = () => [
 export class Chart {
   /**
    * @param texts `title` and `label` of the chart, and `describe(frame)`, the text for a frame
-   * @param series of uPlot
-   * @param more `scales` and `yAxis` of uPlot
+   * @param series the series without the x axis, as uPlot wants them
+   * @param scaling `scales` and `yAxis`, as uPlot wants them
    */
-  constructor(playhead, {title, label, describe}, series, more) {
+  constructor(playhead, {title, label, describe}, series, scaling) {
     this.playhead = playhead;
     this.describe = describe;
     this.series = series;
-    this.more = more;
+    this.scaling = scaling;
     this.value = el('span', {class: 'value'});
     this.box = el('div', {class: 'plot', role: 'img', 'aria-label': label});
     this.line = el('div', {class: 'playhead'});
@@ -56,7 +57,7 @@ export class Chart {
     onThemeChange(() => this.plot?.redraw());
   }
 
-  /** Takes data: the steps, then one list for each series. */
+  /** Shows data: a list of the steps, then one list for each series. */
   load(data) {
     this.data = data;
     if (this.plot) this.plot.setData(data);
@@ -83,11 +84,11 @@ export class Chart {
         cursor: {drag: {x: false, y: false}, points: {show: false}, y: false, x: false},
         scales: {
           x: {time: false, range: (plot, low, high) => [low, Math.max(high, low + 1)]},
-          ...this.more.scales,
+          ...this.scaling.scales,
         },
         axes: [
           axis({size: 1.7 * rem(), space: 4 * rem()}),
-          axis({size: LEFT * rem(), space: 1.8 * rem(), ...this.more.yAxis}),
+          axis({size: LEFT * rem(), space: 1.8 * rem(), ...this.scaling.yAxis}),
         ],
         series: [{}, ...this.series],
         hooks: {draw: [() => this.mark()]},
@@ -121,7 +122,10 @@ export class Chart {
   }
 }
 
-/** Shows the frame where an element is pressed, and while the pointer is dragged over it. */
+/**
+ * Shows the frame at which an element is pressed, and follows the pointer while it is dragged.
+ * @param frameAt returns the frame at an x coordinate of the element, in CSS pixels
+ */
 export function scrub(element, playhead, frameAt) {
   const show = event =>
     playhead.show(frameAt(event.clientX - element.getBoundingClientRect().left));

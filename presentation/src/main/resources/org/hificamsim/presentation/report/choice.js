@@ -1,4 +1,4 @@
-// The form of what a simulation runs under: detection model, threshold and policy.
+// The form that chooses the detection model, threshold and policy of a simulation.
 import {el, setText} from './dom.js';
 import {spelled} from './names.js';
 import {decimals} from './numbers.js';
@@ -8,9 +8,9 @@ let formCount = 0;
 
 export class ChoiceForm {
   /**
-   * @param data what LivePage wrote
-   * @param onChoose is called with `{detection, threshold, policy}`; a threshold of null is the
-   *   model's own
+   * @param data the data of the page, written by LivePage
+   * @param onChoose is called with `{detection, threshold, policy}`; a null threshold means that of
+   *   the model
    */
   constructor(data, onChoose) {
     const id = `choice-${formCount++}`;
@@ -40,7 +40,7 @@ export class ChoiceForm {
       step: 'any',
     });
     this.mean = el('output', {class: 'recent'});
-    this.ofPolicy = [labelled('policy', this.policy), labelled('options', this.options)];
+    this.policyLabels = [labelled('policy', this.policy), labelled('options', this.options)];
     this.policy.addEventListener('change', () => (this.options.value = ''));
     this.detection.addEventListener('change', () => (this.threshold.value = ''));
     this.element = el(
@@ -52,12 +52,12 @@ export class ChoiceForm {
       },
       labelled('detection', this.detection),
       labelled('threshold', this.threshold),
-      ...this.ofPolicy,
+      ...this.policyLabels,
       this.mean,
     );
   }
 
-  /** Shows a setup, except in the input that somebody is typing in. */
+  /** Shows a setup, except in the input that the user is typing in. */
   show(setup) {
     const [name, options] = nameAndOptions(this.policies, setup.policy);
     const show = (input, value) =>
@@ -65,9 +65,9 @@ export class ChoiceForm {
     const [model, rule] = setup.detection.split(/@(?=threshold|chance|probability)/);
     const listed = [...this.detection.options].some(({value}) => value === setup.detection);
     show(this.detection, listed ? setup.detection : model);
-    this.threshold.disabled = rule !== undefined; // the rule has its own
+    this.threshold.disabled = rule !== undefined; // a rule brings its own threshold
     show(this.threshold, rule === undefined ? decimals(setup.threshold, 6) : '');
-    this.ofPolicy.forEach(label => (label.hidden = isStill(setup)));
+    this.policyLabels.forEach(label => (label.hidden = isStill(setup)));
     show(this.policy, name);
     show(this.options, options);
   }
@@ -81,7 +81,7 @@ export class ChoiceForm {
     };
   }
 
-  /** Shows the mean score of the last steps. */
+  /** Shows the mean score of the last steps, as a text. */
   showMean(text) {
     setText(this.mean, text);
   }

@@ -11,7 +11,7 @@ const MOST_PROMISES = 2;
 const NEGLIGIBLE_LOSS = 0.01;
 const MISLEADING = 0.1;
 
-/** The shares of yardsticks in words, the leading yardstick first. */
+/** The words after the share of a yardstick, by metric; the preferred yardstick first. */
 const SHARES = {
   proportion_of_optimal: 'of the optimum',
   proportion_of_bound: 'or more of what is possible',
@@ -19,8 +19,8 @@ const SHARES = {
 };
 
 /**
- * For each of the first scenarios, the best deployable policy under the last detection, which is
- * the most real, and what the choice of the first detection misses.
+ * For each of the first scenarios, a sentence on the best deployable policy under the last
+ * detection, which is the most realistic, and on what the other detections would have chosen.
  */
 export function bestScores(data) {
   const {summary, settings} = data;
@@ -72,7 +72,7 @@ const listed = rows => rows.map(({policy}) => spelled(policy)).join(' and ');
 const isSameCase = (row, other) =>
   ['scenario', 'detection', 'policy'].every(name => row[name] === other[name]);
 
-/** The share of the leading yardstick that a case reaches. */
+/** The share that a case reaches of the first yardstick that is known; empty without one. */
 function shareText(rows) {
   const [metric, words] =
     Object.entries(SHARES).find(([name]) =>
@@ -83,7 +83,7 @@ function shareText(rows) {
     : '';
 }
 
-/** What the other detections promise of their choices, where these reach something else. */
+/** What other detections promise of the policies that they would choose, where it misleads. */
 function misleading(best, number, tables) {
   const table = tables.find(({name}) => name === 'choices.csv');
   const choices = table
@@ -116,8 +116,8 @@ const greatest = (rows, name) =>
   rows.reduce((most, row) => (Number(row[name]) > Number(most[name]) ? row : most));
 
 /**
- * The simplest rung of a ladder that loses next to nothing if it chooses the policy, or else the
- * one that loses least; in a list, empty if it is not known.
+ * Returns a list with one sentence: which simplest rung of a ladder chooses a policy that loses
+ * next to nothing, or else which rung loses least. The list is empty for fewer than two rungs.
  */
 export function worthOfRealism(rows) {
   const rungs = rows.filter(({scenario, share}) => scenario === 'all' && share !== '');
@@ -149,7 +149,7 @@ export function worthOfRealism(rows) {
 const firstRung = ({rung, share}) =>
   `${spelled(rung)}, the simplest of all, loses ${percent(Number(share))}.`;
 
-/** What a reader has to know before any proportion of the optimum. */
+/** Warns that the optimum is static, which proportions of the optimum do not show. */
 export function worthOfAdapting(rows) {
   const same = rows.filter(row => row.same_every_step === 'true').length;
   const most = Math.max(...rows.map(row => Number(row.value_of_adapting)));

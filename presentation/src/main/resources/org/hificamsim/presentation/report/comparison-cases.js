@@ -1,4 +1,4 @@
-// The cases of a comparison side by side: a table of one metric, with intervals drawn to one scale.
+// The table that compares the cases by one metric, with intervals drawn to one scale.
 import {card, labelledSelect, svg} from './cards.js';
 import {cutNotice} from './comparison-tables.js';
 import {el} from './dom.js';
@@ -6,7 +6,7 @@ import {isShare, spelled, unitAfterPercent, words} from './names.js';
 import {distinct, rowsOf, sortable} from './table.js';
 import {OPTIMAL} from './yardsticks.js';
 
-/** The metrics of which the first one that is not 0 or missing everywhere is shown at first. */
+/** The metrics in order of preference: the first that is not 0 or missing everywhere is shown. */
 const FAVOURITES = [
   'proportion_of_optimal',
   'proportion_of_bound',
@@ -45,7 +45,7 @@ export function sideBySide({summary, settings, colours, names}) {
   );
   const detection = choose('detection', distinct(rows, 'detection').at(-1));
   const more = el('input', {type: 'checkbox', name: 'more-columns', onchange: () => fill()});
-  const place = el('div', {class: 'scroll'});
+  const tableBox = el('div', {class: 'scroll'});
 
   function fill() {
     const isChosen = (row, select) => select.value === 'all' || row[select.name] === select.value;
@@ -60,10 +60,10 @@ export function sideBySide({summary, settings, colours, names}) {
       : (names[metric.value] ?? {title: metric.value, unit: ''});
     const shownUnit = isShare(unit) ? `% ${unitAfterPercent(unit)}`.trim() : unit;
     const caption = `${title}${unit ? ` (${shownUnit})` : ''}: mean and 95 % interval over seeds`;
-    place.replaceChildren(
+    tableBox.replaceChildren(
       sortable(caption, caseColumns(shown, colours, units ?? unit, more.checked), shown),
     );
-    place.title = `${metric.value}: ${meaning ?? ''}`;
+    tableBox.title = `${metric.value}: ${meaning ?? ''}`;
   }
 
   fill();
@@ -79,11 +79,11 @@ export function sideBySide({summary, settings, colours, names}) {
     ),
     hasObjective ? null : allZeroNotice(rows, metric.value, names),
     cutNotice(summary),
-    place,
+    tableBox,
   );
 }
 
-/** The rows of each scenario and detection with the highest mean first. */
+/** Sorts the rows of each scenario and detection by their mean, the highest first. */
 function inOrder(rows) {
   const groups = distinct(rows, 'scenario').flatMap(scenario =>
     distinct(rows, 'detection').map(detection =>
@@ -93,7 +93,7 @@ function inOrder(rows) {
   return groups.flatMap(group => group.sort((a, b) => Number(b.mean) - Number(a.mean)));
 }
 
-/** The mean score of a step with the objectives' words. */
+/** Describes the metric mean_score in the words of the objectives. */
 function scoreInWords(scenarios, settings, names) {
   const plans = scenarios.map(name => settings.find(({scenario}) => scenario === name));
   return {
@@ -103,30 +103,31 @@ function scoreInWords(scenarios, settings, names) {
     units:
       distinct(plans, 'score_words').length > 1
         ? Object.fromEntries(plans.map(plan => [plan.scenario, plan.score_unit]))
-        : null, // scores of different objectives have a scale for each scenario
+        : null, // different objectives: each scenario has a scale of its own
   };
 }
 
-/** Whether a metric is not 0 in some case. */
+/** Whether a metric differs from 0 in at least one case. */
 const isInformative = (rows, metric) =>
   rows.some(row => row.metric === metric && Number(row.mean) !== 0);
 
-/** Explains the first metric if k_min is 0 throughout; null if it is not. */
+/** Explains why the table begins with another metric if k_min is 0 throughout; otherwise null. */
 function allZeroNotice(rows, metric, names) {
   const hasKMin = rows.some(row => row.metric === 'performance');
   if (!hasKMin || isInformative(rows, 'performance')) return null;
   return el(
     'p',
     {class: 'notice'},
-    'All k_min are 0: at every step of every run there was a target that no camera covered. ' +
-      'Their sum is 0 and a proportion of the optimum is not defined, ' +
+    'k_min is always 0: at every step of every run there was a target that no camera covered. ' +
+      'Its sum is 0 and a proportion of the optimum is not defined, ' +
       `so the table begins with ${names[metric].title}.`,
   );
 }
 
 /**
- * The policy, its mean and its interval as a bar; with `all` also what differs less often.
- * @param units the unit, or that of each scenario, which has a scale of its own then
+ * The columns of a table of cases: policy, mean, and the interval as a bar.
+ * @param units the unit of all scenarios; or an object of units by scenario, each with its scale
+ * @param all whether runs, limits of intervals and columns with one value are shown, too
  */
 function caseColumns(rows, colours, units, all) {
   const unitOf = ({scenario}) => (typeof units === 'object' ? units[scenario] : units);
@@ -158,7 +159,7 @@ function caseColumns(rows, colours, units, all) {
   ].filter(Boolean);
 }
 
-/** The least and the greatest number of rows, 0 included. */
+/** The least and the greatest number of rows, [least, greatest]; the range includes 0. */
 function scale(rows) {
   const numbers = rows
     .flatMap(row => [row.mean, row.low, row.high])
@@ -167,7 +168,7 @@ function scale(rows) {
   return [Math.min(0, ...numbers), Math.max(...numbers, 1e-12)];
 }
 
-/** The difference to the first detection, in points if it is one of shares. */
+/** The columns of the difference to the first detection; of shares in percentage points. */
 function differenceColumns(rows, unit, show) {
   const compared = distinct(
     rows.filter(row => row.difference_to),
@@ -196,10 +197,10 @@ function numberText(largest, unit) {
   };
 }
 
-/** A mean with its interval, as a mark and a bar. */
+/** Draws a mean as a mark and its interval as a bar; empty without a mean. */
 function whisker({mean, low, high}, [least, most], colour) {
   if (mean === '') return '';
-  const place = text => (100 * (Number(text) - least)) / (most - least);
+  const positionOf = text => (100 * (Number(text) - least)) / (most - least);
   const drawing = svg('svg', {
     viewBox: '-3 0 106 12',
     class: 'whisker',
@@ -208,11 +209,13 @@ function whisker({mean, low, high}, [least, most], colour) {
   });
   drawing.append(svg('line', {x1: 0, x2: 100, y1: 6, y2: 6, class: 'rail'}));
   if (low !== '') {
-    const width = Math.max(0.4, place(high) - place(low));
+    const width = Math.max(0.4, positionOf(high) - positionOf(low));
     drawing.append(
-      svg('rect', {x: place(low), width, y: 3.5, height: 5, fill: colour, opacity: 0.45}),
+      svg('rect', {x: positionOf(low), width, y: 3.5, height: 5, fill: colour, opacity: 0.45}),
     );
   }
-  drawing.append(svg('rect', {x: place(mean) - 0.6, width: 1.2, y: 1, height: 10, fill: colour}));
+  drawing.append(
+    svg('rect', {x: positionOf(mean) - 0.6, width: 1.2, y: 1, height: 10, fill: colour}),
+  );
   return drawing;
 }

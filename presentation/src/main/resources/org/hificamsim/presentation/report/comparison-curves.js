@@ -1,6 +1,5 @@
-// The score over time of a scenario's cases: policies by colour, detection models by dashes,
-// intervals as bands, and the yardsticks of one detection with their names at the end of their
-// lines.
+// The chart of the score over time. Policies differ by colour and detection models by dashes;
+// intervals are bands, and the lines of yardsticks have names at their ends.
 import {card, labelledSelect} from './cards.js';
 import {el, onThemeChange, rem, style} from './dom.js';
 import {spelled} from './names.js';
@@ -8,12 +7,12 @@ import {decimals, percent} from './numbers.js';
 import {distinct, rowsOf} from './table.js';
 import {OPTIMAL} from './yardsticks.js';
 
-/** The lines of detection models, and their pieces in the legend. */
+/** The dashes of detection models, on canvas and as a border style in the legend. */
 const DASHES = [
-  {line: [], piece: 'solid'},
-  {line: [8, 4], piece: 'dashed'},
-  {line: [2, 4], piece: 'dotted'},
-  {line: [10, 3, 2, 3], piece: 'double'},
+  {line: [], borderStyle: 'solid'},
+  {line: [8, 4], borderStyle: 'dashed'},
+  {line: [2, 4], borderStyle: 'dotted'},
+  {line: [10, 3, 2, 3], borderStyle: 'double'},
 ];
 const ALL = 'all';
 const MOST_LINES = 12;
@@ -79,7 +78,7 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
           {label: 'step', value: (chart, step) => step ?? ''},
           ...shown.map(entry => series(entry, share)),
         ],
-        legend: {markers: {dash: (chart, i) => dashOf(shown[i - 1]?.detection).piece}},
+        legend: {markers: {dash: (chart, i) => dashOf(shown[i - 1]?.detection).borderStyle}},
       },
       [
         shown[0].parts.map(({step}) => Number(step)),
@@ -112,7 +111,7 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
     'Mean over the seeds' +
     (banded ? ', with its 95 % interval as a band' : '') +
     '; a point is one of fifty equal parts of the run, or a step where there are fewer. ' +
-    'Hover for numbers, click names to hide lines, drag to look closer, double-click for all.';
+    'Hover for numbers, click names to hide lines, drag to zoom in, double-click to zoom out.';
   return card(
     'Score over time',
     el('p', {class: 'pick'}, scenario.label, detections.length > 1 ? detection.label : null),
@@ -121,7 +120,7 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
   );
 }
 
-/** Chooses a detection, or all where their lines can be told apart; the last is the most real. */
+/** Returns the choice of a detection, at first the last; "all" if the lines are few enough. */
 function detectionChoice(cases, detections, draw) {
   const lines = cases.length / distinct(cases, 'scenario').length;
   const areFew = detections.length <= DASHES.length && lines <= MOST_LINES;
@@ -129,7 +128,7 @@ function detectionChoice(cases, detections, draw) {
   return labelledSelect('detection', choices, detections.at(-1), draw, spelled);
 }
 
-/** Groups rows by their case; those of a case follow each other. */
+/** Groups rows by case. The rows of a case have to follow each other. */
 function casesOf(rows) {
   const cases = [];
   const isSame = (row, entry) =>
@@ -144,7 +143,7 @@ function casesOf(rows) {
   return cases;
 }
 
-/** The interval of a case by part of the run; null if it has none. */
+/** The limits of a case's interval in each part of the run, {low, high}; null without one. */
 const bandOf = parts =>
   parts[0].low === ''
     ? null
@@ -170,7 +169,7 @@ function drawBands({ctx, data: [x], series, valToPos}, bands) {
 }
 
 /**
- * The yardsticks that have no curve, as horizontal lines: the mean score per step over the seeds.
+ * The horizontal lines of yardsticks without a curve, at the mean score of a step over the seeds.
  */
 function yardstickLines(yardsticks, settings, {scenario, detection}) {
   if (!yardsticks || !settings) return [];
@@ -188,7 +187,7 @@ function yardstickLines(yardsticks, settings, {scenario, detection}) {
 
 const meanScore = rows => rows.reduce((sum, row) => sum + Number(row.score), 0) / rows.length;
 
-/** Writes the names of yardsticks at the ends of their lines, lower where they would overlap. */
+/** Draws the lines of yardsticks with names at their ends, moved down where they would overlap. */
 function nameYardsticks({ctx, data, bbox, series, valToPos}, shown, lines) {
   ctx.save();
   ctx.font = `${0.8 * rem() * devicePixelRatio}px sans-serif`;

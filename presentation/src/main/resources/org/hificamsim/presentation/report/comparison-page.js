@@ -1,5 +1,4 @@
-// The page of a comparison: what was found, cases side by side, the score over time, and its
-// tables.
+// Builds the page of a comparison: the findings, cases side by side, the score over time, tables.
 import {card, foldedCard, madeWith} from './cards.js';
 import {bestScores, worthOfAdapting, worthOfRealism} from './comparison-answers.js';
 import {sideBySide} from './comparison-cases.js';
@@ -12,7 +11,7 @@ import {Readers} from './readers.js';
 import {distinct, rowsOf} from './table.js';
 import {YARDSTICKS} from './yardsticks.js';
 
-/** Builds the page; `data` is what ComparisonReport wrote. */
+/** Builds the page from data that ComparisonReport wrote. */
 export async function comparisonPage(root, data) {
   useLabels(data.labels);
   const cases = data.summary && sideBySide(data);
@@ -48,7 +47,7 @@ export async function comparisonPage(root, data) {
 
 const tableCard = (table, data) => card(titleOf(table.name), fileTable(table, data));
 
-/** The order of the policies by rung as heat maps; the tables that these show are folded. */
+/** The cards of a ladder: heat maps of the policies' order, and the tables, those shown folded. */
 function ladderCards(data) {
   const maps = ['ladder.csv', 'rungs.csv'].map(name => tableOf(data, name));
   return [
@@ -61,7 +60,7 @@ function ladderCards(data) {
   ];
 }
 
-/** The kind of a comparison, by its tables. */
+/** The kind of a comparison, which its tables tell. */
 function kindOf(data) {
   if (tableOf(data, 'rungs.csv') && tableOf(data, 'ladder.csv')) return 'Ladder';
   if (tableOf(data, 'sensitivity.csv')) return 'Sensitivity';
@@ -70,7 +69,7 @@ function kindOf(data) {
 
 const tableOf = ({tables}, name) => tables.find(table => table.name === name);
 
-/** The sentences that say what was found. */
+/** The sentences at the top of the page. */
 function answers(kind, data) {
   const adapting = tableOf(data, 'adapting.csv');
   return [
@@ -80,7 +79,9 @@ function answers(kind, data) {
   ];
 }
 
-/** The size of the comparison. */
+/**
+ * The numbers of scenarios, detection models, policies, seeds and steps; null without a summary.
+ */
 function badges({summary, settings}) {
   if (!summary) return null;
   const rows = rowsOf(summary);

@@ -1,4 +1,4 @@
-// The tables of a comparison as its files have them, its pictures, and its settings.
+// The cards of a comparison's tables, pictures and settings, as its files have them.
 import {card} from './cards.js';
 import {el} from './dom.js';
 import {inflate} from './inflate.js';
@@ -20,7 +20,9 @@ const TITLES = {
   'cost.svg': 'How far each rung can be trusted over all scenarios, and what a step costs',
 };
 
-/** The labels of a ladder's columns, whose scores are those of each scenario's objective. */
+/**
+ * The labels of columns, mainly a ladder's, whose scores are those of each scenario's objective.
+ */
 const LABELS = {
   judge: 'judged by',
   mean_k_min: 'mean score of a step',
@@ -37,17 +39,20 @@ const LABELS = {
 };
 const STATISTICS = {iqm: 'interquartile mean', optimality_gap: 'optimality gap'};
 
-/** The columns whose texts are shown in words. */
 const OVER_TIME = /^(k_min|score)-(.+)\.svg$/;
+/** The columns whose texts are shown in words. */
 const SPELLED = /detection|policy|objective|difference_to|^(better|worse|other|rung|judge|chosen)$/;
-const SEVERAL = ' | '; // between policies that tie
+/** Separates policies that tie. */
+const TIE = ' | ';
 const SHARE = /^share(_|$)/;
 const SCORE = /^(predicted|achieved)(_|$)/;
 const WHOLE = /^seeds_needed$/;
 const FRACTION = /^-?\d+\.\d+(E-\d+)?$/;
-const LEVEL = 0.05;
+const SIGNIFICANCE = 0.05;
 
-/** Paper, ink and grid of pictures, and their colours on dark pages; policies keep theirs. */
+/**
+ * The colours of paper, ink and grid in pictures, each with the one that replaces it on dark pages.
+ */
 const DARK_COLOURS = [
   ['white', '#1a222b'],
   ['rgb(34,34,34)', '#e8edf2'],
@@ -63,7 +68,7 @@ const DARK_RULES = ['fill', 'stroke']
   )
   .join(' ');
 const DARK_STYLE = `<style>@media (prefers-color-scheme: dark) { ${DARK_RULES} }</style>`;
-const WIDE_PICTURE = 800; // points; too small to be read next to another picture
+const WIDE_PICTURE = 800; // points; wider ones get a row of their own, to be readable
 
 /** The title of a table or picture by the name of its file. */
 export const titleOf = name =>
@@ -72,8 +77,9 @@ export const titleOf = name =>
   name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
 
 /**
- * A table as its file has it, without rows of no run; `names` has the titles of metrics, and
- * `settings` says which scenarios have shares as scores.
+ * Shows a table of a file, without rows that count no run.
+ * @param details `names` with the titles of metrics, and `settings`, which say whose scores are
+ *   shares
  */
 export function fileTable(table, {names = {}, settings = []}) {
   const shares = (settings ?? []).filter(plan => plan.score_unit === 'share');
@@ -98,7 +104,7 @@ export function fileTable(table, {names = {}, settings = []}) {
 const hasRuns = ({runs, scenarios}) => runs !== '0' && scenarios !== '0';
 
 function cellText(column, text, names) {
-  if (SPELLED.test(column)) return text.split(SEVERAL).map(spelled).join(' or ');
+  if (SPELLED.test(column)) return text.split(TIE).map(spelled).join(' or ');
   if (WHOLE.test(column) && text !== '') return decimals(Number(text), 0);
   if (FRACTION.test(text)) return tableNumber(Number(text));
   return names[text]?.title ?? STATISTICS[text] ?? text;
@@ -107,30 +113,30 @@ function cellText(column, text, names) {
 /** A notice that no difference can pass Holm's correction with so few seeds; null if one can. */
 function seedsNotice({rows, count, columns}) {
   const seeds = Math.max(...rows.map(row => Number(row[columns.indexOf('runs')])));
-  const least = Math.floor(Math.log2(count / LEVEL)) + 2;
+  const least = Math.floor(Math.log2(count / SIGNIFICANCE)) + 2;
   if (!rows.length || seeds >= least) return null;
   return el(
     'p',
     {class: 'notice'},
-    `With ${seeds} seeds none of ${count} differences can have a corrected p below ${LEVEL}: ` +
-      `take ${least} seeds, or compare fewer policies. The intervals hold.`,
+    `With ${seeds} seeds none of ${count} differences can have a corrected p below ` +
+      `${SIGNIFICANCE}: take ${least} seeds, or compare fewer policies. The intervals hold.`,
   );
 }
 
-/** A notice that a table has not all rows of its file; null if it has. */
+/** A notice that a table shows only the first rows of its file; null if it shows all. */
 export const cutNotice = ({rows, count, name}) =>
   rows.length < count
     ? el('p', {class: 'notice'}, `The first ${rows.length} of ${count} rows; ${name} has all.`)
     : null;
 
-/** The pictures of a comparison, those that fit into the page. */
+/** The card of a comparison's pictures, with a note for each that was too large for the page. */
 export async function pictureCard(pictures) {
   const figures = await Promise.all(pictures.map(picture));
   return card('Pictures', el('div', {class: 'pictures'}, ...figures));
 }
 
 async function picture({name, data}) {
-  if (!data) return el('p', {class: 'note'}, `${name} is left out, so that this file stays small.`);
+  if (!data) return el('p', {class: 'note'}, `${name} is left out to keep this file small.`);
   const drawn = new TextDecoder().decode(await inflate(data));
   const image = new Blob([drawn.replace(/<\/svg\s*>\s*$/, `${DARK_STYLE}</svg>`)], {
     type: 'image/svg+xml',
@@ -153,7 +159,7 @@ async function picture({name, data}) {
   return figure;
 }
 
-/** The settings of all cases: those that are the same once, the others in a table. */
+/** The card of settings: once those that all cases share, in a table those that differ. */
 export function settingsCard(cases) {
   const names = [...new Set(cases.flatMap(settingNames))];
   const isSame = name => new Set(cases.map(settings => settingOf(settings, name))).size === 1;

@@ -93,7 +93,7 @@ export class Controls {
     onKeys(event => this.actionOf(event));
   }
 
-  /** Returns what a key does, a function; undefined for nothing. */
+  /** Returns the function that a key calls; undefined if it has none. */
   actionOf({key, shiftKey}) {
     const {playhead} = this;
     const steps = shiftKey ? 10 : 1;
@@ -103,16 +103,16 @@ export class Controls {
       ArrowLeft: () => playhead.move(-steps),
       Home: () => playhead.move(-Infinity),
       End: () => playhead.move(Infinity),
-      '+': () => playhead.faster(1),
-      '=': () => playhead.faster(1),
-      '-': () => playhead.faster(-1),
+      '+': () => playhead.changeSpeed(1),
+      '=': () => playhead.changeSpeed(1),
+      '-': () => playhead.changeSpeed(-1),
     }[key];
   }
 }
 
 /**
  * Handles keys anywhere on the page, except those that the focused control uses itself.
- * @param actionOf returns what a key does, a function, or nothing
+ * @param actionOf returns the function that an event's key calls, or nothing
  */
 export function onKeys(actionOf) {
   document.addEventListener('keydown', event => {
@@ -129,7 +129,7 @@ export function onKeys(actionOf) {
   });
 }
 
-/** Draws an icon; some fonts lack its character. */
+/** Draws an icon as SVG, because some fonts lack the character. */
 function drawing(icon) {
   const [svg, path] = ['svg', 'path'].map(tag =>
     document.createElementNS('http://www.w3.org/2000/svg', tag),

@@ -1,6 +1,9 @@
 // Creates elements. Text becomes text nodes, because names from scenario files are not trusted.
 
-/** Returns an element. Attributes that start with "on" are listeners, `data` is its data set. */
+/**
+ * Returns an element. Attributes that start with "on" are listeners, `data` is an object of data
+ * attributes; children that are null are left out.
+ */
 export function el(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -13,7 +16,7 @@ export function el(tag, attributes = {}, ...children) {
   return element;
 }
 
-/** Sets an element's text, if it has changed. */
+/** Sets an element's text, unless it is the same already. */
 export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
@@ -22,8 +25,8 @@ export function setText(element, text) {
 export const rem = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
 
 /**
- * A canvas that is painted by `paint(context, width, height)`, in CSS pixels, after each change
- * of its size.
+ * A canvas that calls `paint(context, width, height)`, in CSS pixels, whenever its size changes.
+ * `unit` is the factor by which drawings grow with the text.
  */
 export class Surface {
   constructor(attributes, paint) {
@@ -55,16 +58,16 @@ export class Surface {
   }
 }
 
-/** A colour of the style sheet, by the name of its property. */
+/** Returns the value of a custom property of the style sheet, such as the colour `--ink`. */
 export const style = name =>
   getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-/** Calls back when the page turns dark or light. */
+/** Calls a function whenever the page turns dark or light. */
 export function onThemeChange(callback) {
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', callback);
 }
 
-/** Starts a page with its data; an error is shown on the page. */
+/** Builds a page from the data in it, `page(root, data)`; an error is shown on the page. */
 export async function start(page) {
   const root = document.getElementById('page');
   root.replaceChildren();

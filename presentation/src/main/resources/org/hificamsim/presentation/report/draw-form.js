@@ -3,21 +3,24 @@ import {drawingTools} from './drawing-tools.js';
 import {el} from './dom.js';
 import {decimals} from './numbers.js';
 import {rounded} from './pose-form.js';
-import {located} from './site.js';
+import {describeWithPosition} from './site.js';
 
 const ENDS = ['x1', 'y1', 'x2', 'y2'];
 
 export class DrawForm {
   /**
-   * @param data what LivePage wrote
-   * @param edit `draw(tool, places)` in metres, `removeObstacle(obstacle)`, `removeZone(zone)`
-   * @param onOutline is called with the outline that pressing in the field begins; '' for none
+   * @param data the data of the page, written by LivePage
+   * @param edit `draw(tool, ends)` in metres, `removeObstacle(obstacle)`,
+   *   `removeZone(zone, name)`
+   * @param onOutline is called with the outline that a press in the field begins; '' for none
    */
   constructor(data, edit, onOutline) {
     this.edit = edit;
     this.onOutline = onOutline;
     this.tools = drawingTools(data);
-    this.ends = ENDS.map(name => el('input', {type: 'number', step: 'any', name, required: true}));
+    this.endInputs = ENDS.map(name =>
+      el('input', {type: 'number', step: 'any', name, required: true}),
+    );
     this.choice = el(
       'select',
       {name: 'tool', 'aria-label': 'what is drawn', onchange: () => this.choose()},
@@ -54,9 +57,9 @@ export class DrawForm {
         el(
           'span',
           {class: 'ends'},
-          ...this.ends.slice(0, 2).map((input, i) => el('label', {}, `${ENDS[i]} `, input)),
+          ...this.endInputs.slice(0, 2).map((input, i) => el('label', {}, `${ENDS[i]} `, input)),
           el('span'),
-          ...this.ends.slice(2).map((input, i) => el('label', {}, `${ENDS[i + 2]} `, input)),
+          ...this.endInputs.slice(2).map((input, i) => el('label', {}, `${ENDS[i + 2]} `, input)),
           el('span', {}, el('button', {class: 'add-drawn'}, 'add')),
         ),
       ),
@@ -75,7 +78,7 @@ export class DrawForm {
     return this.draw.getAttribute('aria-pressed') === 'true';
   }
 
-  /** What pressing in the field begins; '' for nothing. */
+  /** The outline that a press in the field begins; '' for none. */
   get outline() {
     return this.isDrawing ? this.tool.outline : '';
   }
@@ -88,8 +91,8 @@ export class DrawForm {
     this.onOutline(this.outline);
   }
 
-  setDrawing(on) {
-    this.draw.setAttribute('aria-pressed', String(on));
+  setDrawing(isDrawing) {
+    this.draw.setAttribute('aria-pressed', String(isDrawing));
     this.onOutline(this.outline);
   }
 
@@ -97,27 +100,30 @@ export class DrawForm {
     event.preventDefault();
     this.edit.draw(
       this.tool,
-      this.ends.map(({value}) => rounded(Number(value))),
+      this.endInputs.map(({value}) => rounded(Number(value))),
     );
   }
 
-  /** Shows the places that are being drawn. */
-  show(places) {
-    this.ends.forEach((input, i) => (input.value = decimals(places[i], 3)));
+  /** Shows both ends of the outline that is being drawn, in metres. */
+  show(ends) {
+    this.endInputs.forEach((input, i) => (input.value = decimals(ends[i], 3)));
   }
 
-  /** Takes the places that have been drawn. */
-  complete(places) {
-    this.show(places);
-    const {asks} = this.tool;
-    if (asks) asks.focus();
-    else this.edit.draw(this.tool, places.map(rounded));
+  /** Draws an outline between two ends, unless the tool first asks for a number. */
+  complete(ends) {
+    this.show(ends);
+    const {focusedInput} = this.tool;
+    if (focusedInput) focusedInput.focus();
+    else this.edit.draw(this.tool, ends.map(rounded));
   }
 
   /** Lists the obstacles and zones that can be removed. */
   listDrawn(obstacles, zones) {
     const removals = [
-      ...obstacles.map((obstacle, i) => [located(obstacle), () => this.edit.removeObstacle(i)]),
+      ...obstacles.map((obstacle, i) => [
+        describeWithPosition(obstacle),
+        () => this.edit.removeObstacle(i),
+      ]),
       ...zones.map(({name}, i) => [`zone ${name}`, () => this.edit.removeZone(i, name)]),
     ];
     const texts = removals.map(([text]) => text);

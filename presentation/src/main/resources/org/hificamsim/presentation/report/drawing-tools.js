@@ -1,4 +1,4 @@
-// The tools that draw a site: what each asks for, the outline that it draws between two places, and
+// The tools that draw a site: the inputs of each, the outline that it draws between two ends, and
 // the command that it sends.
 import {el} from './dom.js';
 import {degrees, rounded} from './pose-form.js';
@@ -18,19 +18,19 @@ const choice = (name, label, options) => ({
 /** The number in an input; null if it is empty. */
 const numberIn = ({input}) => (input.value.trim() === '' ? null : Number(input.value));
 
-const ends = ([x1, y1, x2, y2]) => ({x1, y1, x2, y2});
+const coordinates = ([x1, y1, x2, y2]) => ({x1, y1, x2, y2});
 
-/** An obstacle of a height, which is empty if nobody looks over it. */
+/** A tool that draws an obstacle. Without a height, no camera looks over it. */
 function obstacle(name, outline, height) {
   const heightInput = number('height', 'height, m', {min: 0, value: height, placeholder: 'any'});
   return {
     name,
     outline,
     inputs: [heightInput],
-    command: places => ({
+    command: ends => ({
       command: 'draw',
       shape: name.toUpperCase(),
-      ...ends(places),
+      ...coordinates(ends),
       height: numberIn(heightInput),
     }),
   };
@@ -50,9 +50,9 @@ function zone(levels) {
     name: 'zone',
     outline: 'rectangle',
     inputs: [name, level, k, facing, depression],
-    command: places => ({
+    command: ends => ({
       command: 'addzone',
-      ...ends(places),
+      ...coordinates(ends),
       zone: {
         name: name.input.value.trim(),
         detection: level.input.value,
@@ -88,24 +88,27 @@ function camera(kinds) {
   };
 }
 
-/** Sets how long a line on the plan is; it waits until somebody has typed that. */
+/**
+ * A tool that sets the scale: after a line on the plan is drawn, it asks for the length in
+ * metres.
+ */
 function scale() {
   const metres = number('metres', 'is as long as, m', {min: 0});
   return {
     name: 'scale',
     outline: 'line',
     inputs: [metres],
-    asks: metres.input,
-    command: places => ({command: 'scale', ...ends(places), metres: numberIn(metres) ?? 0}),
+    focusedInput: metres.input,
+    command: ends => ({command: 'scale', ...coordinates(ends), metres: numberIn(metres) ?? 0}),
   };
 }
 
 /**
- * All tools, each with a `name`, the `outline` between two places (`line`, `rectangle` or
- * `circle`), `inputs`, and `command(places)` for x and y of both places in turn. One that `asks`
- * has an input that is filled in after the second place.
+ * Returns all tools. Each has a `name`, the `outline` between two ends (`line`, `rectangle` or
+ * `circle`), `inputs`, and `command(ends)`, where `ends` are x1, y1, x2 and y2 in metres. A tool
+ * with a `focusedInput` waits, after its outline is drawn, until that input is filled in.
  *
- * @param levels of zones, {name, label}
+ * @param levels the levels that zones can ask for, {name, label}
  * @param tools the record DrawingTools
  */
 export const drawingTools = ({levels, tools: {kinds, plan}}) => [

@@ -1,4 +1,4 @@
-// Paints what is being drawn between two places of a field.
+// Paints the outline that is being drawn between two points of a field.
 
 const PATHS = {
   line: (context, [x1, y1, x2, y2]) => {
@@ -11,8 +11,9 @@ const PATHS = {
 };
 
 /**
- * @param outline one of the names above
- * @param places x and y of both, in metres
+ * Paints an outline and marks its first end.
+ * @param outline the name of one of the paths above
+ * @param ends x1, y1, x2 and y2, in metres
  */
 export function paintOutline(context, {map, unit, colours}, outline, [x1, y1, x2, y2]) {
   context.strokeStyle = context.fillStyle = colours.accent;
@@ -22,6 +23,6 @@ export function paintOutline(context, {map, unit, colours}, outline, [x1, y1, x2
   PATHS[outline](context, pixels);
   context.stroke();
   context.beginPath();
-  context.arc(pixels[0], pixels[1], 4 * unit, 0, 2 * Math.PI); // where it begins
+  context.arc(pixels[0], pixels[1], 4 * unit, 0, 2 * Math.PI);
   context.fill();
 }

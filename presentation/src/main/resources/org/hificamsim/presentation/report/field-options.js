@@ -1,14 +1,13 @@
-// The options below a field: a heat map, paths, density zones, the opacity of the floor plan,
-// beliefs.
+// The options below a field: heat map, paths, density zones, opacity of the floor plan, beliefs.
 import {el} from './dom.js';
 
 const BELIEFS =
-  'what cameras believe: where targets are that were seen (circles), where others are expected ' +
-  '(shaded), and which cameras received messages of the selected one (arrows)';
+  'what cameras believe: where seen targets are (circles), where others are expected (shaded), ' +
+  'and which cameras received messages of the selected one (arrows)';
 
 /**
- * Returns the element of a field's options, and its part `beliefs`, hidden until there are some.
- * @param field the FieldView, whose `set(name, value)` is called with what was chosen
+ * Returns the options of a field, {element, beliefs}; `beliefs` is hidden until a run has some.
+ * @param field the FieldView, whose `set(name, value)` is called after each choice
  */
 export function fieldOptions(field) {
   const checkbox = (property, name, label, attributes = {}) =>

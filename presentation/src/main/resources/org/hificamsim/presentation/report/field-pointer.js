@@ -1,45 +1,45 @@
-// What the pointer does in a field: it selects, drags cameras, draws, and moves the map.
+// Handles the pointer in a field: it selects and drags cameras, draws, and moves the map.
 
-const REACH = 16; // pixels between the pointer and what it points at
-const STILL = 3; // pixels that a press may move before it drags
+const REACH = 16; // pixels; nothing farther from the pointer is pointed at
+const CLICK_DISTANCE = 3; // pixels; a press that moves less is a click and not a drag
 
 export class FieldPointer {
   /**
    * @param field the FieldView
-   * @param on as in FieldView
+   * @param handlers as in FieldView
    */
-  constructor(field, on) {
+  constructor(field, handlers) {
     this.field = field;
-    this.on = on;
-    this.place = null; // in pixels; null while the pointer is elsewhere
-    this.line = null; // what is being drawn: x and y of both its places in metres
-    this.clicked = false; // whether a click has begun it, so that the next press ends it
+    this.handlers = handlers;
+    this.position = null; // in pixels; null while the pointer is elsewhere
+    this.ends = null; // of the outline that is being drawn: x1, y1, x2 and y2 in metres
+    this.endsWithPress = false; // whether a click began the outline, so that the next press ends it
     const {canvas} = field.surface;
     canvas.addEventListener('pointerdown', event => this.onPress(event));
     canvas.addEventListener('pointermove', event => this.onMove(event));
     canvas.addEventListener('pointerup', () => this.onRelease(true));
     canvas.addEventListener('pointercancel', () => this.onRelease(false));
     canvas.addEventListener('pointerleave', () => {
-      this.place = null;
+      this.position = null;
       field.tooltip.hide();
     });
   }
 
   onPress(event) {
     if (event.button !== 0) return;
-    const {field, on} = this;
-    this.place = [event.offsetX, event.offsetY];
+    const {field, handlers} = this;
+    this.position = [event.offsetX, event.offsetY];
     if (field.drawing) {
-      this.beginLine();
+      this.beginOutline();
       field.surface.canvas.setPointerCapture(event.pointerId);
       return;
     }
     const {camera, target} = this.nearest();
-    on.select(camera);
-    if (camera < 0 && target >= 0) on.pick(target);
-    if (camera >= 0 && on.drag) this.grab(camera);
+    handlers.select(camera);
+    if (camera < 0 && target >= 0) handlers.pick(target);
+    if (camera >= 0 && handlers.drag) this.grab(camera);
     else if (camera < 0 && field.magnifier.times > 1)
-      this.mapDrag = {from: this.place, left: field.magnifier.left, top: field.magnifier.top};
+      this.mapDrag = {from: this.position, left: field.magnifier.left, top: field.magnifier.top};
     else return;
     field.surface.canvas.setPointerCapture(event.pointerId);
   }
@@ -48,65 +48,65 @@ export class FieldPointer {
     const {run, frame, map} = this.field;
     const pose = run.pose(camera, frame);
     const centre = [map.x(pose.x), map.y(pose.y)];
-    this.cameraDrag = {camera, from: this.place, centre, moves: false};
+    this.cameraDrag = {camera, from: this.position, centre, moves: false};
   }
 
   onMove(event) {
-    this.place = [event.offsetX, event.offsetY];
+    this.position = [event.offsetX, event.offsetY];
     if (this.cameraDrag) this.dragCamera(this.cameraDrag);
     if (this.mapDrag) this.dragMap(this.mapDrag);
-    if (this.line) this.extendLine();
+    if (this.ends) this.extendOutline();
     this.field.describe();
   }
 
   /** Moves the camera as far as the pointer has moved, so that it does not jump to the pointer. */
   dragCamera(drag) {
-    const [right, down] = this.place.map((pixel, i) => pixel - drag.from[i]);
-    drag.moves ||= Math.hypot(right, down) >= STILL;
+    const [right, down] = this.position.map((pixel, i) => pixel - drag.from[i]);
+    drag.moves ||= Math.hypot(right, down) >= CLICK_DISTANCE;
     if (!drag.moves) return;
-    const place = this.field.map.place(drag.centre[0] + right, drag.centre[1] + down);
-    this.on.drag(drag.camera, ...place);
+    const position = this.field.map.place(drag.centre[0] + right, drag.centre[1] + down);
+    this.handlers.drag(drag.camera, ...position);
   }
 
   dragMap({from, left, top}) {
-    const [right, down] = this.place.map((pixel, i) => pixel - from[i]);
+    const [right, down] = this.position.map((pixel, i) => pixel - from[i]);
     this.field.magnifier.look(this.field.magnifier.times, left + right, top + down);
   }
 
-  /** Begins what is drawn, or ends what a click has begun. */
-  beginLine() {
-    const place = this.field.map.place(...this.place);
-    if (this.clicked) this.line.splice(2, 2, ...place);
-    else this.line = [...place, ...place];
+  /** Begins an outline, or sets the second end of one that a click has begun. */
+  beginOutline() {
+    const position = this.field.map.place(...this.position);
+    if (this.endsWithPress) this.ends.splice(2, 2, ...position);
+    else this.ends = [...position, ...position];
   }
 
-  extendLine() {
-    this.line.splice(2, 2, ...this.field.map.place(...this.place));
-    this.on.drawing(this.line);
+  extendOutline() {
+    this.ends.splice(2, 2, ...this.field.map.place(...this.position));
+    this.handlers.drawing(this.ends);
     this.field.surface.draw();
   }
 
-  /** Ends a drag. What is drawn is complete, unless a click has just begun it. */
+  /** Ends a drag, and an outline unless a click has just begun it. */
   onRelease(complete) {
     this.cameraDrag = this.mapDrag = null;
-    const {line} = this;
-    if (line) {
-      const [x1, y1, x2, y2] = line;
-      const isClick = this.field.map.scale * Math.hypot(x2 - x1, y2 - y1) < STILL;
-      this.clicked = complete && isClick && !this.clicked;
-      if (!this.clicked) this.line = null;
-      if (complete && !isClick) this.on.line(line);
+    const {ends} = this;
+    if (ends) {
+      const [x1, y1, x2, y2] = ends;
+      const isClick = this.field.map.scale * Math.hypot(x2 - x1, y2 - y1) < CLICK_DISTANCE;
+      this.endsWithPress = complete && isClick && !this.endsWithPress;
+      if (!this.endsWithPress) this.ends = null;
+      if (complete && !isClick) this.handlers.line(ends);
     }
     this.field.surface.draw();
   }
 
-  /** Forgets what is being drawn. */
-  forgetLine() {
-    this.line = null;
-    this.clicked = false;
+  /** Forgets the outline that is being drawn. */
+  forgetOutline() {
+    this.ends = null;
+    this.endsWithPress = false;
   }
 
-  /** The camera and the target under the pointer; -1 for none. */
+  /** The camera and the target under the pointer, {camera, target}; -1 for none. */
   nearest() {
     const {run, frame} = this.field;
     const {cameras, targets} = run.setup;
@@ -118,15 +118,17 @@ export class FieldPointer {
     };
   }
 
-  /** The index of what is nearest to the pointer, -1 if it is out of reach. */
-  nearestOf(list, placeOf) {
+  /** The index of the entry nearest to the pointer; -1 if none is within reach. */
+  nearestOf(list, positionOf) {
     const {map, surface} = this.field;
-    const [px, py] = this.place;
+    const [px, py] = this.position;
     let nearest = -1;
     let least = REACH * surface.unit;
     list.forEach((entry, i) => {
-      const place = placeOf(i);
-      const distance = place ? Math.hypot(map.x(place.x) - px, map.y(place.y) - py) : Infinity;
+      const position = positionOf(i);
+      const distance = position
+        ? Math.hypot(map.x(position.x) - px, map.y(position.y) - py)
+        : Infinity;
       if (distance < least) [least, nearest] = [distance, i];
     });
     return nearest;

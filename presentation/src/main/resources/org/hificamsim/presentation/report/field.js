@@ -19,27 +19,27 @@ const COLOURS = ['ink', 'faint', 'grid', 'paper', 'camera', 'range', 'wall', 'sh
 
 export class FieldView {
   /**
-   * @param run what is shown
-   * @param on `select(camera)` when a camera is clicked, `pick(target)` when a target is;
-   *   `drag(camera, x, y)`, if cameras can be moved; `line(places)` when an outline has been drawn,
-   *   x and y of both places in turn, and `drawing(places)` while it is; `heat(figure)` when one of
-   *   `figures` of the heat map is chosen, if there can be a heat map
+   * @param run the run that is shown
+   * @param handlers functions that are called: `select(camera)` and `pick(target)` after a click;
+   *   `drag(camera, x, y)` in metres, if cameras can be moved; `drawing(ends)` while an outline is
+   *   drawn and `line(ends)` at its end, with x1, y1, x2 and y2 in metres; `heat(figure)` when one
+   *   of the heat map's `figures` is chosen, if there can be a heat map
    */
-  constructor(run, on) {
+  constructor(run, handlers) {
     this.run = run;
     this.frame = 0;
     this.selected = -1;
     this.opacity = 0.5;
-    this.drawing = ''; // the outline that pressing begins; '' for none
+    this.drawing = ''; // the outline that a press begins; '' for none
     this.surface = new Surface(
       {class: 'field', role: 'img', tabindex: 0},
       (context, width, height) => this.paint(context, width, height),
     );
     this.magnifier = new Magnifier(this.surface, () => this.surface.draw());
     this.tooltip = new Tooltip(this.surface);
-    this.pointer = new FieldPointer(this, on);
+    this.pointer = new FieldPointer(this, handlers);
     this.trackCanvas = new TrackCanvas();
-    this.heat = on.heat && new HeatChoice(run.setup.field, on.figures, on.heat);
+    this.heat = handlers.heat && new HeatChoice(run.setup.field, handlers.figures, handlers.heat);
     this.floor = (run.setup.floor ?? []).map(({area, data}) => ({
       area,
       image: el('img', {src: data, onload: () => this.surface.draw()}),
@@ -73,7 +73,7 @@ export class FieldView {
     return viewAt(this.run, camera, this.frame);
   }
 
-  /** Changes what is shown: a frame, the selected camera, an option. */
+  /** Sets a property that the field shows, such as the frame, the selected camera or an option. */
   set(name, value) {
     const hadZones = hasOutlines(this.zones);
     this[name] = value;
@@ -85,7 +85,7 @@ export class FieldView {
   show(frame) {
     this.options.beliefs.hidden = !this.run.belief.length;
     this.set('frame', frame);
-    if (this.pointer.place) this.describe();
+    if (this.pointer.position) this.describe();
   }
 
   /** Shows a figure of the heat map; '' for none. */
@@ -99,10 +99,10 @@ export class FieldView {
     this.surface.draw();
   }
 
-  /** Sets the outline that pressing in the field begins; '' for none. */
+  /** Sets the outline that a press in the field begins; '' for none. */
   setDrawing(outline) {
     this.drawing = outline;
-    this.pointer.forgetLine();
+    this.pointer.forgetOutline();
     this.surface.draw();
   }
 
@@ -117,7 +117,7 @@ export class FieldView {
     this.legend.replaceChildren(...legend(this.scene()).flat().map(entry));
   }
 
-  /** Writes into the tooltip what is under the pointer. */
+  /** Shows a tooltip for the camera, the target or else the position under the pointer. */
   describe() {
     const {map, run, frame, pointer} = this;
     if (!map || !run.count) return;
@@ -127,11 +127,11 @@ export class FieldView {
         ? describeTarget(run, frame, target)
         : camera >= 0
           ? describeCamera(run, frame, camera)
-          : describePlace(this, pointer.place);
-    this.tooltip.show(lines, pointer.place);
+          : describePlace(this, pointer.position);
+    this.tooltip.show(lines, pointer.position);
   }
 
-  /** All that the field shows: see paintScene. */
+  /** Returns everything that the field shows: see paintScene. */
   scene() {
     const {run, frame, map, colours, selected, opacity} = this;
     const scene = {
@@ -158,7 +158,7 @@ export class FieldView {
     const {run, surface} = this;
     if (surface.changed) {
       surface.changed = false;
-      this.magnifier.fitted(fit(run.setup.field, width, height, surface.unit));
+      this.magnifier.setWholeMap(fit(run.setup.field, width, height, surface.unit));
     }
     context.fillStyle = this.colours.paper;
     context.fillRect(0, 0, width, height);
@@ -166,11 +166,11 @@ export class FieldView {
     const scene = this.scene();
     this.size = figureSize(scene);
     paintScene(context, scene);
-    if (this.pointer.line) paintOutline(context, scene, this.drawing, this.pointer.line);
+    if (this.pointer.ends) paintOutline(context, scene, this.drawing, this.pointer.ends);
     this.updateLabel();
   }
 
-  /** Writes what the picture shows, for those who do not see it. */
+  /** Describes the picture in words, which screen readers read. */
   updateLabel() {
     const row = this.run.row(this.frame);
     const heat = this.heat?.shown ? ` Heat map: ${this.heat.summary()}.` : '';

@@ -6,7 +6,8 @@ import {poseAt, viewAt} from './views.js';
 const LABELLED_RADIUS = 6; // pixels; smaller figures have no number
 
 /**
- * A square for each camera, with a short line along its view; hollow and crossed out if offline.
+ * Draws a square for each camera, with a short line along its view; hollow and crossed out if
+ * offline.
  */
 export function cameras(context, scene) {
   const {run, frame, map, colours, selected} = scene;
@@ -39,8 +40,8 @@ export function cameras(context, scene) {
 }
 
 /**
- * The shape of its cover class for each target, with the number of cameras that cover it. The
- * shape has the target's size, but at least one that people can see.
+ * Draws each target as the shape of its cover class, with the number of cameras that cover it. The
+ * shape has the target's width, but is never too small to be seen.
  */
 export function targets(context, scene) {
   const {run, frame, map, colours} = scene;

@@ -1,11 +1,10 @@
-// The size of the figures that stand for cameras and targets. Rhino runs this file too: see
-// scene.js.
+// The size of the symbols of cameras and targets. Rhino runs this file too: see scene.js.
 
-const FULL_SIZE_SPACE = 56; // pixels around a figure; with less, figures shrink
+const FULL_SIZE_SPACE = 56; // pixels between symbols; with less, symbols shrink
 
 /**
- * Returns the factor by which figures are drawn: smaller where there are many of them, larger
- * where the map is magnified.
+ * Returns the factor by which symbols are scaled: smaller if there are many of them, larger if the
+ * map is magnified.
  */
 export function figureSize({run, map, unit}) {
   const space =

@@ -1,8 +1,8 @@
-// The layers that every other layer is painted on: floor plans, the grid, and the scale bar.
-// Rhino runs this file too: see scene.js.
+// The layers of the ground: floor plans, the grid, and the scale bar. Rhino runs this file too: see
+// scene.js.
 import {decimals} from './numbers.js';
 
-/** The pictures of the floor. */
+/** Paints the pictures of the floor. */
 export function floor(context, {map, floor, opacity}) {
   context.globalAlpha = opacity;
   floor.forEach(({area: {minX, maxX, minY, maxY}, image}) =>
@@ -16,7 +16,7 @@ export function floor(context, {map, floor, opacity}) {
   );
 }
 
-/** Grid lines with their coordinates, and the border of the field. */
+/** Draws grid lines with their coordinates in metres, and the border of the field. */
 export function grid(context, {map, colours, unit, run}) {
   const {minX, maxX, minY, maxY} = run.setup.field;
   const gap = niceGap((90 * unit) / map.scale);
@@ -44,7 +44,7 @@ export function grid(context, {map, colours, unit, run}) {
   context.stroke();
 }
 
-/** A bar with its length in metres, in the lower right corner of the picture. */
+/** Draws a bar with its length in metres in the lower right corner of the picture. */
 export function scaleBar(context, {map, colours, unit}) {
   const metres = niceGap((60 * unit) / map.scale);
   const [right, bottom, length] = [
@@ -71,7 +71,9 @@ export function scaleBar(context, {map, colours, unit}) {
   context.fillText(`${decimals(metres, 3)} m`, right - length - 5 * unit, bottom);
 }
 
-/** Returns 1, 2 or 5 times a power of ten, at least this much. */
+/**
+ * Returns the least number of the form 1, 2 or 5 times a power of ten that is not below `least`.
+ */
 function niceGap(least) {
   const power = 10 ** Math.floor(Math.log10(least));
   return power * [1, 2, 5, 10].find(factor => factor * power >= least);

@@ -3,7 +3,10 @@
 
 const hatches = new Map();
 
-/** Returns a fill style of this colour. */
+/**
+ * Returns a hatching as a fill style.
+ * @param unit the scale of the lines: 1 for lines 7 pixels apart
+ */
 export function hatch(host, colour, unit) {
   const key = `${colour} ${unit}`;
   const side = Math.round(7 * unit);

@@ -1,8 +1,10 @@
-// What a heat map says of areas: the shares of zones that are covered, and the blind spots.
+// Computes the shares of zones that are covered, and the blind spots, from a heat map.
 
 /**
- * For each zone, over its cells outside obstacles: the shares of steps in which one or more and
- * two or more cameras cover it, and the share of its area that is never covered.
+ * Returns for each zone {zone, covered, twice, never}: the shares of steps in which one or more,
+ * and
+ * two or more, cameras cover it, and the share of its area that is never covered. Cells in
+ * obstacles do not count; the shares are NaN if no cell is left.
  */
 export function zoneShares({columns, rows, figures}, {minX, maxX, minY, maxY}, zones) {
   const valuesOf = name => figures.find(figure => figure.name === name).values;
@@ -26,7 +28,7 @@ export function zoneShares({columns, rows, figures}, {minX, maxX, minY, maxY}, z
   });
 }
 
-/** Whether a zone contains a place. A line counts as a strip as wide as a cell. */
+/** Whether a zone contains a point. A line counts as a strip, `width` metres to either side. */
 function contains({shape, points}, x, y, width) {
   if (shape === 'FIELD') return true;
   if (shape === 'RECTANGLE') {
@@ -34,15 +36,15 @@ function contains({shape, points}, x, y, width) {
     return (x - corner.x) * (x - opposite.x) <= 0 && (y - corner.y) * (y - opposite.y) <= 0;
   }
   const sides = points.map((to, i) => [points.at(i - 1), to]);
-  if (shape === 'POLYGON') return sides.filter(side => isRightOf(side, x, y)).length % 2 === 1;
+  if (shape === 'POLYGON') return sides.filter(side => crossesRay(side, x, y)).length % 2 === 1;
   return sides.slice(1).some(side => distance(side, x, y) <= width);
 }
 
-/** Whether a horizontal ray from a place to the right crosses a side. */
-const isRightOf = ([from, to], x, y) =>
+/** Whether a ray from a point to the right crosses a side. */
+const crossesRay = ([from, to], x, y) =>
   from.y > y !== to.y > y && x < from.x + ((to.x - from.x) * (y - from.y)) / (to.y - from.y);
 
-/** The distance of a place from a side, in metres. */
+/** The distance of a point from a side, in metres. */
 function distance([from, to], x, y) {
   const [dx, dy] = [to.x - from.x, to.y - from.y];
   const along = ((x - from.x) * dx + (y - from.y) * dy) / (dx ** 2 + dy ** 2 || 1);

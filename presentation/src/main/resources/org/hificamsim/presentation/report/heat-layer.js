@@ -9,7 +9,7 @@ export const HEAT_OPACITY = 0.8;
 export const NEVER_COVERED = COVER[0].colour;
 
 /**
- * Paints cells above 0 in colours and hatches those that are 0; cells without a value stay empty.
+ * Colours cells by their values and hatches those of value 0; cells without a value stay empty.
  */
 export function heat(context, {heat, map, run, unit, host}) {
   if (!heat) return;

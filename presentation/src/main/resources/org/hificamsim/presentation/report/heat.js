@@ -1,4 +1,4 @@
-// The choice of a heat map's figures: a selection, its key, and what it says of a cell.
+// The choice of a heat map's figure, the key to its colours, and descriptions of cells.
 import {el} from './dom.js';
 import {inflate} from './inflate.js';
 import {decimals, percent} from './numbers.js';
@@ -6,7 +6,7 @@ import {scaleColour} from './palette.js';
 import {optional, SeriesReader} from './recording.js';
 
 /**
- * Returns the heat map of a record PackedHeat: each of its figures with the values of the cells.
+ * Unpacks a record PackedHeat: returns it with the `values` of all cells in each of its figures.
  */
 export async function unpackHeat(packed) {
   const reader = new SeriesReader(await inflate(packed.data));
@@ -16,8 +16,8 @@ export async function unpackHeat(packed) {
 
 export class HeatChoice {
   /**
-   * @param field its borders in metres
-   * @param figures the name and label of each
+   * @param field the borders of the field in metres
+   * @param figures the name and label of each figure
    * @param onChoose is called with a figure's name, '' for none
    */
   constructor(field, figures, onChoose) {
@@ -31,7 +31,7 @@ export class HeatChoice {
     this.key = el('span', {class: 'heat-key', hidden: true});
   }
 
-  /** The figure that is shown; undefined without a map. */
+  /** The figure that is shown; undefined if there is no map or none is chosen. */
   get shown() {
     return this.heat?.figures.find(({name}) => name === this.select.value);
   }
@@ -77,16 +77,16 @@ export class HeatChoice {
     );
   }
 
-  /** Describes a place in metres: lines of text, none without a figure. */
+  /** Describes the cell at x and y, in metres: lines of text, none if no figure is shown there. */
   describe(x, y) {
     const {minX, maxX, minY, maxY} = this.field;
     if (!this.shown || x < minX || x > maxX || y < minY || y > maxY) return [];
     const {rows, columns, figures} = this.heat;
-    const index = (place, from, to, count) =>
-      to > from ? Math.min(count - 1, Math.floor(((place - from) / (to - from)) * count)) : 0;
+    const index = (coordinate, from, to, count) =>
+      to > from ? Math.min(count - 1, Math.floor(((coordinate - from) / (to - from)) * count)) : 0;
     const cell = index(y, minY, maxY, rows) * columns + index(x, minX, maxX, columns);
     const valueOf = name => figures.find(figure => figure.name === name).values[cell];
-    const mean = name => `${decimals(valueOf(name), 2)} cameras in the mean`;
+    const mean = name => `${decimals(valueOf(name), 2)} cameras on average`;
     const none = name => `none in ${percent(1 - valueOf(name))}`;
     const visits = valueOf('visits');
     return [

@@ -1,4 +1,4 @@
-// What a scene needs and a browser's canvas does in its own way: see paintScene.
+// The functions of paintScene's `host` for the canvas of a browser.
 
 const layer = document.createElement('canvas');
 

@@ -1,6 +1,5 @@
-// Reads data that were deflated (zlib) and written in Base64.
-
-/** Returns the bytes. */
+// Reads compressed data.
+/** Returns the bytes of data that were compressed (zlib) and written in Base64. */
 export async function inflate(base64) {
   const packed = Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));

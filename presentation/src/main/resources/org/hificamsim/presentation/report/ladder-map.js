@@ -1,4 +1,4 @@
-// The order of the policies under each rung of a ladder as a heat map, one for each scenario.
+// Heat maps of a ladder: for each scenario, the order of the policies under each rung.
 import {card, scrollBox} from './cards.js';
 import {el} from './dom.js';
 import {spelled} from './names.js';
@@ -8,7 +8,7 @@ import {distinct, rowsOf} from './table.js';
 const STRONGEST = 45; // percent of the accent colour behind the best policy; text stays readable
 const DECIMALS = 3;
 
-/** The heat maps of the tables ladder.csv and rungs.csv. */
+/** Returns a card with the heat maps of the tables ladder.csv and rungs.csv. */
 export function ladderMaps(ladder, rungs) {
   const [ranks, losses] = [rowsOf(ladder), rowsOf(rungs)];
   const maps = distinct(ranks, 'scenario').map(scenario =>
@@ -25,8 +25,8 @@ export function ladderMaps(ladder, rungs) {
       'p',
       {class: 'note'},
       '1 is the best policy under a rung; policies that tie share a place. The top rung, which ' +
-        'judges the others, is the first row, and its best policy the first column. Lost: how ' +
-        'much of the best score under the top rung the policy misses that a rung would choose.',
+        'judges the others, is the first row, and its best policy the first column. Lost: the ' +
+        'share of the best score under the top rung that is lost if a rung chooses the policy.',
     ),
   );
 }

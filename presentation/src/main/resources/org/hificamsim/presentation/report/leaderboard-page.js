@@ -1,4 +1,4 @@
-// The page of the benchmark's leaderboard: the entries with their scores as bars, and all numbers.
+// Builds the page of the benchmark's leaderboard: each entry's scores as bars, and all numbers.
 import {foldedCard, scrollBox, svg} from './cards.js';
 import {el} from './dom.js';
 import {rowsOf, sortable} from './table.js';
@@ -7,7 +7,7 @@ const MISSING = '-';
 const SUMMARIES = ['IQM', 'Mean'];
 const BAR = {width: 9, gap: 2, height: 34};
 
-/** The page; `data` is what LeaderboardReport wrote. */
+/** Builds the page from data that LeaderboardReport wrote. */
 export async function leaderboardPage(root, data) {
   const rows = rowsOf(data);
   const isKnown = name => rows.some(row => row[name] !== MISSING);
@@ -20,10 +20,10 @@ export async function leaderboardPage(root, data) {
       el(
         'p',
         {},
-        'Scores from 0, cameras that always zoom out, to 1, the proven optimum of every step.' +
-          ' IQM is the interquartile mean over all tasks and testing episodes, with its 95\u00a0%' +
-          ' interval by a bootstrap within tasks. Every entry was checked: its actions were' +
-          ' played again, and scored the same.',
+        'A score of 0 is that of cameras that always zoom out, 1 is the proven optimum of every' +
+          ' step. IQM is the interquartile mean over all tasks and testing episodes, with its' +
+          ' 95\u00a0% interval by a bootstrap within tasks. Every entry was checked: its actions' +
+          ' were played again, and scored the same.',
       ),
       scores(rows, tasks),
       el('p', {class: 'note'}, `Tasks from left to right: ${tasks.join(', ')}.`),
@@ -38,7 +38,7 @@ export async function leaderboardPage(root, data) {
   root.dataset.ready = '';
 }
 
-/** A row for each entry: its name, its score in all tasks, and a bar for each task. */
+/** The table of scores: for each entry its name, its score over all tasks, and a bar for each. */
 function scores(rows, tasks) {
   const line = row =>
     el(
@@ -50,7 +50,7 @@ function scores(rows, tasks) {
         row.Entry,
         el('small', {class: 'note'}, ` verified by ${row['Verified by']}`),
       ),
-      el('td', {}, row.IQM === MISSING ? placeOf(row, tasks) : row.IQM),
+      el('td', {}, row.IQM === MISSING ? missingTasks(row, tasks) : row.IQM),
       el('td', {}, bars(row, tasks)),
     );
   const heads = ['entry', 'IQM of all tasks', 'each task'];
@@ -65,13 +65,13 @@ function scores(rows, tasks) {
   );
 }
 
-/** Why an entry has no score in all tasks. */
-function placeOf(row, tasks) {
+/** Explains why an entry has no score over all tasks. */
+function missingTasks(row, tasks) {
   const count = tasks.filter(task => row[task] !== MISSING).length;
   return el('span', {class: 'note'}, `none: played ${count} of ${tasks.length} tasks`);
 }
 
-/** A bar for each task, from 0 to 1; a dot where the entry lacks the task. */
+/** Draws a bar from 0 to 1 for each task, or a dot if the entry has not played the task. */
 function bars(row, tasks) {
   const width = tasks.length * (BAR.width + BAR.gap);
   const label = tasks.map(task => `${task} ${row[task]}`).join(', ');

@@ -1,4 +1,4 @@
-// What the signs of a scene mean. Rhino runs this file too: see scene.js.
+// The legend of a scene. Rhino runs this file too: see scene.js.
 import {hatch} from './hatch.js';
 import {decimals} from './numbers.js';
 import {paintObstacle} from './obstacle-layer.js';
@@ -10,7 +10,7 @@ const MOST_TRANSMITTANCES = 3;
 
 /**
  * Returns the entries of the legend, {label, mark}, in groups. `mark(context, x, y, r)` paints an
- * entry's sign with its centre at a place; an entry without a mark is a heading.
+ * entry's sign with its centre at (x, y); an entry without a mark is a heading.
  */
 export const legend = ({run: {setup}, zones, colours, densityCamera, host, unit}) =>
   [
@@ -22,20 +22,20 @@ export const legend = ({run: {setup}, zones, colours, densityCamera, host, unit}
 
 const coverSigns = colours =>
   [{label: 'covered by'}].concat(
-    COVER.map(({label, colour}, kind) => ({label, mark: covered(kind, colour)})),
+    COVER.map(({label, colour}, kind) => ({label, mark: coverMark(kind, colour)})),
   );
 
 const viewSigns = (colours, zones) =>
   [
-    {label: 'field of view', mark: ringed(colours.range, VIEW_DASHES)},
-    {label: 'detection range', mark: filled(colours.range, 0.35)},
-  ].concat(hasOutlines(zones) ? [{label: 'zone', mark: framed(colours.accent)}] : []);
+    {label: 'field of view', mark: circleMark(colours.range, VIEW_DASHES)},
+    {label: 'detection range', mark: fillMark(colours.range, 0.35)},
+  ].concat(hasOutlines(zones) ? [{label: 'zone', mark: squareMark(colours.accent)}] : []);
 
 function siteSigns({obstacles = [], slow}, colours, hidden) {
   const transmittances = new Set(obstacles.map(({transmittance}) => transmittance));
   const solid = [
-    {label: 'obstacle', mark: obstacle(0, colours)},
-    {label: 'hidden from all by obstacles', mark: filled(hidden)},
+    {label: 'obstacle', mark: obstacleMark(0, colours)},
+    {label: 'hidden from all by obstacles', mark: fillMark(hidden)},
   ];
   const transparent = Array.from(transmittances)
     .filter(share => share > 0)
@@ -43,9 +43,9 @@ function siteSigns({obstacles = [], slow}, colours, hidden) {
     .slice(0, MOST_TRANSMITTANCES)
     .map(share => ({
       label: `lets ${decimals(100 * share, 1)} % through`,
-      mark: obstacle(share, colours),
+      mark: obstacleMark(share, colours),
     }));
-  const moving = {label: 'moves, sees nothing', mark: ringed(colours.range, BLIND_DASHES)};
+  const moving = {label: 'moves, sees nothing', mark: circleMark(colours.range, BLIND_DASHES)};
   return (transmittances.has(0) ? solid : []).concat(transparent, slow ? [moving] : []);
 }
 
@@ -53,18 +53,18 @@ const densitySigns = camera =>
   [{label: `${camera.name}, pixels per metre:`}].concat(
     DENSITY_ZONES.map(({name, least, colour}) => ({
       label: `${name} ${least}`,
-      mark: filled(colour),
+      mark: fillMark(colour),
     })),
   );
 
-const covered = (kind, colour) => (context, x, y, r) => {
+const coverMark = (kind, colour) => (context, x, y, r) => {
   context.fillStyle = colour;
   context.beginPath();
   shape(context, kind, x, y, r);
   context.fill();
 };
 
-const ringed = (colour, pattern) => (context, x, y, r) => {
+const circleMark = (colour, pattern) => (context, x, y, r) => {
   context.strokeStyle = colour;
   context.lineWidth = 1;
   context.setLineDash(pattern);
@@ -73,13 +73,13 @@ const ringed = (colour, pattern) => (context, x, y, r) => {
   context.stroke();
 };
 
-const framed = colour => (context, x, y, r) => {
+const squareMark = colour => (context, x, y, r) => {
   context.strokeStyle = colour;
   context.setLineDash([0.8 * r, 0.4 * r]);
   context.strokeRect(x - r, y - r, 2 * r, 2 * r);
 };
 
-function filled(style, alpha = 1) {
+function fillMark(style, alpha = 1) {
   return (context, x, y, r) => {
     context.fillStyle = style;
     context.globalAlpha = alpha;
@@ -87,7 +87,7 @@ function filled(style, alpha = 1) {
   };
 }
 
-const obstacle = (transmittance, colours) => (context, x, y, r) => {
+const obstacleMark = (transmittance, colours) => (context, x, y, r) => {
   context.beginPath();
   context.rect(x - r, y - r, 2 * r, 2 * r);
   paintObstacle(context, {kind: 'polygon', transmittance}, colours.wall, 1);

@@ -1,16 +1,17 @@
-// The changes that somebody makes to cameras, walls and targets of a live view, with keys or forms.
+// Changes that a user makes to cameras, walls, zones and targets of a live view by keys or forms.
 import {setText} from './dom.js';
 import {decimals} from './numbers.js';
 import {degrees, rounded} from './pose-form.js';
-import {located} from './site.js';
+import {describeWithPosition} from './site.js';
 import {viewName} from './views.js';
 
-const NUDGE = 0.01; // of the field's longer side
+const NUDGE = 0.01; // a share of the field's longer side
 const TURN = 3; // degrees
-const NUDGES_APART = 5; // between a camera and the one that is added
+const NUDGES_APART = 5; // the distance of an added camera from the one that it copies
 
 /**
- * The keys that move the selected camera, to the right and up in nudges, and those that turn it.
+ * The keys that move the selected camera, by [right, up] in nudges, and those that turn it, in
+ * degrees clockwise.
  */
 const MOVES = {KeyW: [0, 1], KeyA: [-1, 0], KeyS: [0, -1], KeyD: [1, 0]};
 const TURNS = {KeyQ: -TURN, KeyE: TURN};
@@ -18,7 +19,7 @@ const TURNS = {KeyQ: -TURN, KeyE: TURN};
 export class LiveEdits {
   /**
    * @param view the LiveView
-   * @param status the element that says what has been done
+   * @param status the element that says what was changed
    */
   constructor(view, status) {
     this.view = view;
@@ -39,13 +40,13 @@ export class LiveEdits {
     setText(this.status, text);
   }
 
-  /** The last known pose of a camera, with the changes that have been asked for since. */
+  /** The last known pose of a camera, with the changes that are not yet confirmed. */
   pose(camera) {
     return this.run.poses[camera].at(-1).pose;
   }
 
   /**
-   * Returns what a key does, a function that moves or turns the selected camera; null for nothing.
+   * Returns the function by which a key moves or turns the selected camera; null if it has none.
    */
   actionOf({code, shiftKey}, camera) {
     if (!(camera in (this.run?.poses ?? []))) return null;
@@ -72,7 +73,7 @@ export class LiveEdits {
     return NUDGE * Math.max(maxX - minX, maxY - minY);
   }
 
-  /** Returns the place in the field that is nearest to this one, to the millimetre. */
+  /** Returns the nearest position within the field, {x, y} in metres, to the millimetre. */
   inField(x, y) {
     const {minX, maxX, minY, maxY} = this.setup.field;
     return {
@@ -82,9 +83,9 @@ export class LiveEdits {
   }
 
   move(camera, x, y) {
-    const place = this.inField(x, y);
-    this.preview(camera, place);
-    this.enqueue({command: 'drag', camera, ...place});
+    const position = this.inField(x, y);
+    this.preview(camera, position);
+    this.enqueue({command: 'drag', camera, ...position});
   }
 
   turn(camera, heading) {
@@ -92,23 +93,22 @@ export class LiveEdits {
     this.enqueue({command: 'turn', camera, heading});
   }
 
-  /** Adds a camera next to this one, on the right unless only the left is in the field. */
+  /** Copies a camera next to it, to the right unless only the left side is in the field. */
   add(camera) {
     const {x, y} = this.pose(camera);
     const {minX, maxX} = this.setup.field;
     const distance = NUDGES_APART * this.nudge();
     const left = x + distance > maxX && x - distance >= minX;
-    const place = this.inField(left ? x - distance : x + distance, y);
-    this.view.send({command: 'add', like: camera, ...place});
+    const position = this.inField(left ? x - distance : x + distance, y);
+    this.view.send({command: 'add', like: camera, ...position});
   }
 
   /**
-   * Adds a camera where it sees most of what others do not see, or moves this one there; -1 adds
-   * one.
+   * Moves a camera to where it sees most of what the others do not see; -1 adds a camera there.
    */
   async suggest(camera) {
     this.say('looking for a place');
-    const done = camera < 0 ? 'a camera more' : `camera ${this.setup.cameras[camera].name}: moved`;
+    const done = camera < 0 ? 'camera added' : `camera ${this.setup.cameras[camera].name}: moved`;
     this.say((await this.view.send({command: 'suggest', camera})) ? done : '');
   }
 
@@ -124,14 +124,14 @@ export class LiveEdits {
   }
 
   /** Whether a camera is kept in a view. */
-  held(camera) {
+  isHeld(camera) {
     return this.view.held.includes(camera);
   }
 
-  /** Draws with a tool of drawing-tools.js between two places. */
-  async draw(tool, places) {
-    const [x1, y1, x2, y2] = places;
-    if (await this.view.send(tool.command(places)))
+  /** Draws with a tool of drawing-tools.js between two ends: x1, y1, x2 and y2 in metres. */
+  async draw(tool, ends) {
+    const [x1, y1, x2, y2] = ends;
+    if (await this.view.send(tool.command(ends)))
       this.say(`${tool.name} from (${x1}, ${y1}) to (${x2}, ${y2}) added`);
   }
 
@@ -140,7 +140,10 @@ export class LiveEdits {
   }
 
   removeObstacle(obstacle) {
-    this.remove(located(this.setup.obstacles[obstacle]), {command: 'remove', obstacle});
+    this.remove(describeWithPosition(this.setup.obstacles[obstacle]), {
+      command: 'remove',
+      obstacle,
+    });
   }
 
   removeCamera(camera) {

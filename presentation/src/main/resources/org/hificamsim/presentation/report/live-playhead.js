@@ -1,5 +1,5 @@
-// A playhead over a simulation that goes on: playing runs the simulation, and known frames can be
-// shown again.
+// The playhead of a live simulation: playing runs the simulation, and earlier frames can be shown
+// again.
 import {Playhead} from './playhead.js';
 
 export class LivePlayhead extends Playhead {
@@ -34,14 +34,14 @@ export class LivePlayhead extends Playhead {
     else super.move(frames);
   }
 
-  /** Takes a new number of frames; shows the last one unless an earlier one is being looked at. */
+  /** Sets the number of frames; shows the last one unless the user looks at an earlier one. */
   grow(count) {
     const follow = this.playing || this.atEnd;
     this.count = count;
     if (count) this.show(follow ? count - 1 : this.frame);
   }
 
-  /** Takes the state of the simulation. */
+  /** Shows the state of the simulation: {running, perSecond}. */
   update({running, perSecond}) {
     this.playing = running;
     this.knownSpeed = perSecond;

@@ -1,25 +1,25 @@
-// How the map of a field is magnified and moved: by buttons, keys and the mouse wheel.
+// Magnifies and moves the map of a field by buttons, keys and the mouse wheel.
 import {el} from './dom.js';
 import {magnified} from './map.js';
 
 const ZOOM_FACTOR = 1.5;
-const MOST_TIMES = 64;
+const GREATEST_MAGNIFICATION = 64;
 const ARROWS = {ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
 
 export class Magnifier {
   /**
-   * @param surface of the field
-   * @param changed is called when the map has changed
+   * @param surface the Surface of the field
+   * @param onChange is called when the map has changed
    */
-  constructor(surface, changed) {
+  constructor(surface, onChange) {
     this.surface = surface;
-    this.changed = changed;
+    this.onChange = onChange;
     [this.times, this.left, this.top] = [1, 0, 0];
     this.showAll = button('⤢', 'show the whole field', () => this.showWhole());
     this.showAll.disabled = true;
     this.element = el(
       'div',
-      {class: 'lens', role: 'group', 'aria-label': 'look closer'},
+      {class: 'lens', role: 'group', 'aria-label': 'magnify'},
       button('+', 'zoom in', () => this.magnifyMiddle(ZOOM_FACTOR)),
       button('−', 'zoom out', () => this.magnifyMiddle(1 / ZOOM_FACTOR)),
       this.showAll,
@@ -28,8 +28,8 @@ export class Magnifier {
     surface.canvas.addEventListener('keydown', event => this.onKey(event));
   }
 
-  /** Takes the map that shows the whole field, for a new size of the surface. */
-  fitted(map) {
+  /** Sets the map that shows the whole field, after the surface has changed its size. */
+  setWholeMap(map) {
     this.whole = map;
     this.updateMap();
   }
@@ -43,14 +43,16 @@ export class Magnifier {
     this.magnify(factor, this.surface.width / 2, this.surface.height / 2);
   }
 
-  /** Makes the map larger about a place in pixels, which stays where it is. */
+  /** Magnifies the map by a factor about a point, in pixels, which keeps its position. */
   magnify(factor, x, y) {
     const {times, left, top} = this;
-    const next = Math.min(MOST_TIMES, Math.max(1, times * factor));
+    const next = Math.min(GREATEST_MAGNIFICATION, Math.max(1, times * factor));
     this.look(next, x - ((x - left) * next) / times, y - ((y - top) * next) / times);
   }
 
-  /** Magnifies the map and moves it, but no farther than the field's edges. */
+  /**
+   * Sets the magnification and the offset in pixels, but moves no farther than the field's edges.
+   */
   look(times, left, top) {
     if (!this.whole) return;
     const {width, height} = this.surface;
@@ -58,20 +60,20 @@ export class Magnifier {
     [this.times, this.left, this.top] = [times, bounded(left, width), bounded(top, height)];
     this.showAll.disabled = times === 1;
     this.updateMap();
-    this.changed();
+    this.onChange();
   }
 
   showWhole() {
     this.look(1, 0, 0);
   }
 
-  /** Shows an area in metres, with some of what is around it. */
+  /** Shows an area, given in metres, with some of its surroundings. */
   showArea({minX, maxX, minY, maxY}) {
     const {width, height} = this.surface;
     const map = this.whole;
     const across = width / Math.max(1, map.x(maxX) - map.x(minX));
     const down = height / Math.max(1, map.y(minY) - map.y(maxY));
-    const times = Math.min(MOST_TIMES, Math.max(1, 0.4 * Math.min(across, down)));
+    const times = Math.min(GREATEST_MAGNIFICATION, Math.max(1, 0.4 * Math.min(across, down)));
     this.look(
       times,
       width / 2 - (times * (map.x(minX) + map.x(maxX))) / 2,
@@ -95,7 +97,7 @@ export class Magnifier {
     event.stopPropagation();
   }
 
-  /** Magnifies by the wheel. Where the whole field is in sight, the page scrolls down instead. */
+  /** Magnifies by the wheel. If the whole field is shown, turning it down scrolls the page. */
   onWheel(event) {
     if (event.deltaY > 0 && this.times === 1) return;
     event.preventDefault();

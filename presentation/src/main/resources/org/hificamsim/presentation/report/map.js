@@ -1,10 +1,11 @@
-// Maps from metres in the field to pixels, y upwards. Rhino runs this file too: see scene.js.
+// Maps from metres in the field, where y points up, to pixels. Rhino runs this file too: see
+// scene.js.
 
 const [SIDE_MARGIN, END_MARGIN] = [46, 36]; // pixels, for the numbers along the field's borders
 
 /**
- * Returns the map that shows the whole field, as large as possible, in the middle of a box.
- * `x`, `y` and `scale` turn metres into pixels; `place` turns pixels into metres.
+ * Returns the map that shows the whole field as large as possible in the middle of a box of this
+ * size, in pixels. `x`, `y` and `scale` turn metres into pixels; `place` turns pixels into metres.
  */
 export function fit({minX, maxX, minY, maxY}, width, height, unit) {
   const scale = Math.max(
@@ -26,7 +27,7 @@ export function fit({minX, maxX, minY, maxY}, width, height, unit) {
   };
 }
 
-/** Returns a map magnified by a factor and moved by some pixels. */
+/** Returns a map magnified by a factor and moved by `left` and `top`, in pixels. */
 export const magnified = ({x, y, scale, width, height, place}, times, left, top) => ({
   scale: scale * times,
   width,
@@ -37,6 +38,6 @@ export const magnified = ({x, y, scale, width, height, place}, times, left, top)
   place: (px, py) => place((px - left) / times, (py - top) / times),
 });
 
-/** The height of a picture in which the field takes the whole width. */
+/** The height of a picture whose width the field fills; both in pixels. */
 export const heightFor = ({minX, maxX, minY, maxY}, width) =>
   2 * END_MARGIN + (width - 2 * SIDE_MARGIN) * ((maxY - minY) / (maxX - minX));

@@ -1,9 +1,9 @@
-// The words that people read for names in files; tooltips have the names themselves. SpokenNames
-// writes SPOKEN, for the names in a page's data.
+// Words for names that files contain. Pages show the words, and tooltips the names themselves.
+// SpokenNames (Java) writes the constant SPOKEN with the words for the names in a page's data.
 import {el} from './dom.js';
 import {decimals, decimalsOf, percent, significant} from './numbers.js';
 
-/** Replaces names by the user's own words for policies and detections. */
+/** Adds the user's own words for policies and detections, an object by name. */
 export const useLabels = (labels = {}) =>
   Object.entries(labels).forEach(([name, text]) => SPOKEN.set(name, text));
 
@@ -13,7 +13,7 @@ export const words = name => name.replaceAll('_', ' ');
 /** A policy, detection or objective, such as hifi:orb-lin@chance or covered:k=2, in words. */
 export const spelled = spec => SPOKEN.get(spec) ?? spec;
 
-/** A number with its unit: shares as percentages, with the digits that its interval gives it. */
+/** A number as text, a share as a percentage, with as many digits as its interval justifies. */
 export function withUnit(value, unit = '', {low, high} = {}) {
   if (!Number.isFinite(value)) return '–';
   return isShare(unit)
@@ -23,11 +23,11 @@ export function withUnit(value, unit = '', {low, high} = {}) {
 
 export const isShare = unit => /^share\b/.test(unit);
 
-/** The part of a unit that is shown after a number with its percent sign. */
+/** The unit as it is shown after a number: what is left of a share's after the percent sign. */
 export const unitAfterPercent = (unit = '') =>
   isShare(unit) ? unit.replace(/^share ?/, '') : unit;
 
-/** The value of a setting, a list or object included, in words. */
+/** The value of a setting, which may be a list or an object, in words. */
 export function settingText(value) {
   if (Array.isArray(value))
     return (
@@ -48,11 +48,11 @@ const IN_METRES = /^(zooms|mount_height|focal_lengths)$/;
 /** The name of a setting in words, with its unit. */
 export const settingName = name => words(name) + (IN_METRES.test(name) ? ' (m)' : '');
 
-/** The names of settings, without those that say where another setting is from. */
+/** The names of settings, without those that only say where another setting is from. */
 export const settingNames = settings =>
   Object.keys(settings).filter(name => !name.endsWith('_from'));
 
-/** The value of one of the settings in words, and where it is from if they say that. */
+/** The value of a setting in words, followed by its source if the settings have that. */
 export function settingOf(settings, name) {
   const value = settings[name];
   const source = settings[`${name}_from`];

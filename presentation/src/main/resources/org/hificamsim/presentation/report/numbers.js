@@ -1,20 +1,22 @@
-// Numbers as text.
-
-/** A number with at most `most` decimals, a dash if it is not finite. */
+// Writes numbers as text.
+/** A number with at most `most` decimals; a dash if it is not finite. */
 export function decimals(number, most = 2) {
   return Number.isFinite(number) ? String(Number(number.toFixed(most))) : '–';
 }
 
-/** The decimals at which the half of an interval has two digits; at most `most`. */
+/**
+ * The number of decimals that shows half of an interval with two digits; `most` if that is less, or
+ * if the interval is empty.
+ */
 export const decimalsOf = (low, high, most) =>
   high > low ? Math.max(0, Math.min(most, 1 - Math.floor(Math.log10((high - low) / 2)))) : most;
 
-/** A number with so many significant digits at most; three suit a threshold. */
+/** A number with at most `digits` significant digits. */
 export const significant = (number, digits = 3) => String(Number(number.toPrecision(digits)));
 
 /**
- * A number of a table: three decimals, fewer from ten on, and one significant digit below a
- * thousandth.
+ * A number for a table: three decimals; one from 10 on, none from 1000 on; one significant digit
+ * below half a thousandth.
  */
 export function tableNumber(number) {
   const size = Math.abs(number);
@@ -28,8 +30,8 @@ export const metres = number => `${number.toFixed(3)} m`;
 /** A share as a percentage. */
 export const percent = share => `${decimals(100 * share, 1)} %`;
 
-/** Radians as whole degrees, with a sign. */
-export const signed = radians => {
+/** An angle in radians as whole degrees with a sign. */
+export const signedDegrees = radians => {
   const degrees = Math.round((radians * 180) / Math.PI);
   return `${degrees > 0 ? '+' : degrees < 0 ? '−' : ''}${Math.abs(degrees)}°`;
 };

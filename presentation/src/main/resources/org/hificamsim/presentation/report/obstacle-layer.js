@@ -6,7 +6,7 @@ import {ring} from './views.js';
 const WALL_WIDTH = 3;
 const TRANSPARENT_DASHES = [6, 3];
 
-/** All obstacles of the field. */
+/** Draws all obstacles of the field. */
 export function obstacles(context, scene) {
   const {run, map, colours, unit} = scene;
   const thick = Math.max(unit / 2, figureSize(scene));
@@ -35,7 +35,8 @@ export function outline(path, {kind, x1, y1, x2, y2, x, y, radius, points}, map)
 }
 
 /**
- * Paints an obstacle whose outline is the path; one that lets light through is paler and dashed.
+ * Paints the obstacle whose outline is the current path. One that lets light through is paler and
+ * dashed.
  */
 export function paintObstacle(context, {kind, transmittance}, colour, unit) {
   context.fillStyle = context.strokeStyle = colour;

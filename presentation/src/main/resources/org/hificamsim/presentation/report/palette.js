@@ -1,5 +1,5 @@
 // The shapes, widths and colour scales of pages and pictures. Rhino runs this file too: see
-// scene.js. The colours in MEANING are those of Java's Palette, which is put before all scripts.
+// scene.js. MEANING has the colours of the Java class Palette, which writes it before all scripts.
 
 /**
  * The classes of targets by the number of cameras that cover them, with the width of their trails.
@@ -56,7 +56,7 @@ export function shape(path, kind, x, y, r) {
 
 /**
  * The density zones of IEC 62676-4:2025, as vendors report them, the nearest first; `least` in
- * pixels per metre. The farther, the paler: people with colour blindness can tell the shades
+ * pixels per metre. Farther zones are paler, so that people with colour blindness can tell them
  * apart.
  */
 export const DENSITY_ZONES = [
@@ -86,5 +86,5 @@ export function scaleColour(share) {
   );
 }
 
-/** The position of a zoom level between the narrowest, 0, and the widest, 1. */
+/** The position of a zoom level on a scale from 0, the narrowest, to 1, the widest. */
 export const levelShare = (level, levels) => (levels > 1 ? level / (levels - 1) : 1);

@@ -1,5 +1,5 @@
-// The layers of where targets went: their whole tracks, or their last steps. Rhino runs this file
-// too: see scene.js.
+// The layers of targets' paths: their whole tracks, or their last steps. Rhino runs this file too:
+// see scene.js.
 import {figureSize} from './figure-size.js';
 import {COVER, coverClass} from './palette.js';
 
@@ -7,7 +7,7 @@ const TRAIL_FRAMES = 40;
 const MOST_TRAIL_SEGMENTS = 1500;
 const DOT_RADIUS = 2.2;
 
-/** The tracks as the scene paints them: see paintScene. */
+/** Paints the tracks by the scene's own function: see paintScene. */
 export function tracks(context, scene) {
   if (!scene.tracks) return;
   context.globalAlpha = 0.5;
@@ -15,9 +15,9 @@ export function tracks(context, scene) {
 }
 
 /**
- * Draws the tracks of all targets from a frame on. A dot marks each place where a target appeared;
- * a line leads from there to where it was last seen.
- * @param every the number of frames that one segment of a line covers
+ * Draws the tracks of all targets from a frame on. A dot marks where a target appeared, and a line
+ * leads from there to its last position.
+ * @param every the number of frames that one segment of a line spans
  */
 export function paintTracks(context, {run, map, colours, unit}, from, every = 1) {
   const radius = DOT_RADIUS * unit;
@@ -41,7 +41,7 @@ export function paintTracks(context, {run, map, colours, unit}, from, every = 1)
   });
 }
 
-/** The last steps of each target, in the colours and widths of how it was covered. */
+/** Draws the last steps of each target, with colours and widths by the number of cameras. */
 export function trails(context, scene) {
   if (!scene.trails) return;
   const {run, frame, map} = scene;
@@ -70,8 +70,8 @@ export function trails(context, scene) {
 }
 
 /**
- * Returns the part of a line that is in the picture or near it (Liang and Barsky 1984), null if
- * there is none. Painting takes time in proportion to a line's length, so the rest is left out.
+ * Returns the part of a line that is in or near the picture (Liang and Barsky 1984); null if there
+ * is none. Painting takes time in proportion to a line's length, so the rest is left out.
  */
 function nearbyPart({width, height}, a, b) {
   let [from, to] = [0, 1];

@@ -1,15 +1,15 @@
-// The form that plans all cameras of a site, with its progress and what the plan meets.
+// The form that plans the cameras of a site, with the progress and result of the plan.
 import {el, setText} from './dom.js';
 
 const GOALS = {
-  CAMERAS: {text: 'the most by this many cameras', amount: 4, step: 1},
-  BUDGET: {text: 'the most for this budget', amount: 3000, step: 'any'},
-  COVER: {text: 'everything, for the least'},
+  CAMERAS: {text: 'meet most with this many cameras', amount: 4, step: 1},
+  BUDGET: {text: 'meet most within this budget', amount: 3000, step: 'any'},
+  COVER: {text: 'meet everything at the lowest price'},
 };
 
 export class PlanForm {
   /**
-   * @param send sends a command
+   * @param send sends a command to the simulation
    */
   constructor(send) {
     this.goal = el(
@@ -56,8 +56,8 @@ export class PlanForm {
         this.goal,
         this.amount,
         this.heightLabel,
-        el('label', {}, this.ceiling, ' on the ceiling, too'),
-        el('label', {}, this.keep, ' keep those that are there'),
+        el('label', {}, this.ceiling, ' also on the ceiling'),
+        el('label', {}, this.keep, ' keep present cameras'),
         this.start,
         this.stop,
       ),
@@ -85,9 +85,9 @@ export class PlanForm {
   }
 
   /**
-   * Shows the state of the plan: the record Message of PlanTask, or nothing.
+   * Shows the state of the plan, the Java record PlanTask.Message, if there is a plan.
    *
-   * @param mountHeight of all cameras, metres; nothing if the site has none
+   * @param mountHeight the height of all cameras in metres; undefined if the site has none
    */
   show({running = false, event = '', facts = [], share = 0, fault = ''} = {}, mountHeight) {
     const hasEnded = this.start.disabled && !running;

@@ -1,9 +1,9 @@
-// The page of a plan of cameras: the floor plan, what the plan achieves, and its tables.
+// Builds the page of a plan of cameras: the floor plan, what the plan achieves, and its tables.
 import {card, madeWith, scrollBox} from './cards.js';
 import {el} from './dom.js';
 import {rowsOf, sortable} from './table.js';
 
-/** Builds the page; `data` is what PlanSheet wrote. */
+/** Builds the page from data that PlanSheet wrote. */
 export async function planPage(root, data) {
   root.append(el('header', {}, el('h1', {}, data.title)));
   const [met, ...facts] = data.facts;

@@ -1,4 +1,4 @@
-// The parts that show one run: the field, its numbers, the selected camera, and charts over time.
+// Shows one run: the field, its numbers, the selected camera, and charts over time.
 import {el} from './dom.js';
 import {FieldView} from './field.js';
 import {Readout} from './readout.js';
@@ -8,19 +8,19 @@ import {TargetForm} from './target-form.js';
 
 export class Player {
   /**
-   * @param run recorded or growing
-   * @param playhead may be shared with other players
+   * @param run a run, recorded or growing
+   * @param playhead the playhead, which other players may share
    * @param options `middle`: an element between the field and the timeline;
-   *   `edit`: what can be done to cameras, as {@link PoseForm} and {@link ViewTable} say;
-   *   `draw`: the {@link DrawForm}, if the site can be drawn; `tools`: elements beside the field;
-   *   `heat(figure)` when one of `figures` of the heat map is chosen, if there can be a heat map;
-   *   `ceiling()`: the value that the axis of k_min reaches at least
+   *   `edit`: functions that change the site, as {@link PoseForm} and {@link AgentPanel} say;
+   *   `draw`: the {@link DrawForm}, if the site can be drawn; `tools`: elements next to the field;
+   *   `heat(figure)`: called when one of the heat map's `figures` is chosen, if there can be one;
+   *   `ceiling()`: returns a value up to which the axis of k_min reaches at least
    */
   constructor(run, playhead, options = {}) {
     this.run = run;
     this.playhead = playhead;
     const {edit} = options;
-    const on = {
+    const handlers = {
       select: camera => this.select(camera),
       drag: edit && ((camera, x, y) => edit.move(camera, x, y)),
       ceiling: options.ceiling,
@@ -29,13 +29,13 @@ export class Player {
       pick: target => this.targets?.choose(target),
       heat: options.heat,
       figures: options.figures,
-      line: places => options.draw.complete(places),
-      drawing: places => options.draw.show(places),
+      line: ends => options.draw.complete(ends),
+      drawing: ends => options.draw.show(ends),
     };
-    this.field = new FieldView(run, on);
+    this.field = new FieldView(run, handlers);
     this.readout = new Readout(run);
     this.agent = new AgentPanel(run, options.edit);
-    this.timeline = new Timeline(playhead, on);
+    this.timeline = new Timeline(playhead, handlers);
     this.targets = edit && new TargetForm(run.setup, edit);
     this.agent.element.hidden = !run.setup.cameras.length;
     const tools = [...(options.tools ?? []), this.targets?.element].filter(Boolean);
@@ -58,7 +58,7 @@ export class Player {
     playhead.subscribe(frame => this.show(frame));
   }
 
-  /** Selects a camera in all parts; -1, a click that hit no camera, changes nothing. */
+  /** Selects a camera in all parts; -1, for a click that hit none, changes nothing. */
   select(camera) {
     if (camera < 0) return;
     this.field.set('selected', camera);

@@ -1,8 +1,8 @@
-// The frame that is shown, and the clock that moves it. Players with the same playhead keep in
-// step.
+// The frame that is shown, and the clock that advances it. Players that share a playhead show the
+// same frame.
 
 export const SPEEDS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
-const MAX_TICK = 250; // milliseconds; after a longer pause of the page, playing goes on from there
+const MAX_TICK = 250; // milliseconds; if the page pauses for longer, the frames do not jump
 
 export class Playhead {
   /**
@@ -19,7 +19,9 @@ export class Playhead {
     this.drawn = {frames: 0, milliseconds: 0, slowest: 0};
   }
 
-  /** Calls a listener with the frame whenever the frame, the speed or playing changes. */
+  /**
+   * Calls a listener with the frame now, and whenever the frame, the speed or `playing` changes.
+   */
   subscribe(listener) {
     this.listeners.push(listener);
     listener(this.frame);
@@ -58,8 +60,8 @@ export class Playhead {
     this.notify();
   }
 
-  /** Changes to a speed some places further in SPEEDS; negative numbers make it slower. */
-  faster(steps) {
+  /** Changes the speed by a number of entries in SPEEDS; negative numbers make it slower. */
+  changeSpeed(steps) {
     const index = SPEEDS.findIndex(speed => speed >= this.speed);
     this.speed = SPEEDS[Math.max(0, Math.min(index + steps, SPEEDS.length - 1))];
     this.notify();

@@ -1,17 +1,18 @@
-// The form of the selected camera's place and heading, which also adds and removes cameras.
+// The form that moves and turns the selected camera, and that adds and removes cameras.
 import {el} from './dom.js';
 import {decimals} from './numbers.js';
 
 /** Converts a heading in radians to degrees, from 0 to 360. */
 export const degrees = heading => rounded(((((heading * 180) / Math.PI) % 360) + 360) % 360);
 
-/** Rounds to a thousandth; metres to a millimetre. */
+/** Rounds to a thousandth: metres to millimetres. */
 export const rounded = number => Math.round(number * 1000) / 1000;
 
 export class PoseForm {
   /**
-   * @param edit `move(camera, x, y)` in metres, `turn(camera, degrees)`, `add(camera)`, which
-   *   copies a camera, `removeCamera(camera)`, and `suggest(camera)`, -1 for a new camera
+   * @param edit functions that are called: `move(camera, x, y)` in metres, `turn(camera, degrees)`,
+   *   `add(camera)` to copy a camera, `removeCamera(camera)`, and `suggest(camera)` to move a
+   *   camera to a better place, or to add one for -1
    */
   constructor(edit) {
     this.x = field('x', 'm', () => this.move());
@@ -58,7 +59,7 @@ export class PoseForm {
     return input.value.trim() !== '' && Number.isFinite(Number(input.value));
   }
 
-  /** Shows a camera's pose, except in the input that somebody is typing in. */
+  /** Shows a camera's pose, except in the input that the user is typing in. */
   show(camera, pose) {
     const values = [
       [this.x, pose.x],

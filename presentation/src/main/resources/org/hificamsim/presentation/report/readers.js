@@ -1,9 +1,9 @@
-// The order of a page's parts for different readers; the browser remembers the choice.
+// Orders a page's parts for different readers. The browser remembers the chosen reader.
 import {el} from './dom.js';
 
 const KEY = 'hificamsim-reader';
 
-/** Returns the remembered reader; null if there is none or the browser refuses. */
+/** Returns the name of the remembered reader; null if there is none or storage is blocked. */
 function remembered() {
   try {
     return localStorage.getItem(KEY);
@@ -16,13 +16,13 @@ function remember(name) {
   try {
     localStorage.setItem(KEY, name);
   } catch {
-    // the choice is for this page alone
+    // Storage is blocked: the choice holds for this page only.
   }
 }
 
 export class Readers {
   /**
-   * @param orders lists of elements by the name of the reader; the first is the default
+   * @param orders an object of lists of elements, by reader; the first reader is the default
    */
   constructor(orders) {
     this.orders = orders;

@@ -1,4 +1,4 @@
-// Shows the numbers of a step: a row of steps.csv, and its score.
+// The numbers of a step: its row of steps.csv, and its score.
 import {el, setText} from './dom.js';
 import {scoreNumber} from './names.js';
 import {decimals} from './numbers.js';

@@ -1,16 +1,16 @@
-// Unpacks the runs of a recording: series of whole numbers, written as differences in LEB128,
-// deflated, in Base64.
+// Unpacks the runs of a recording. Its series of whole numbers are written as differences, in
+// LEB128, compressed, in Base64.
 import {inflate} from './inflate.js';
 import {Run} from './run.js';
 
-/** Reads series one after the other. */
+/** Reads series of numbers one after the other. */
 export class SeriesReader {
   constructor(bytes) {
     this.bytes = bytes;
     this.at = 0;
   }
 
-  /** Reads a zigzag number; by arithmetic, because shifts are limited to 32 bits. */
+  /** Reads a zigzag number, by arithmetic because shifts are limited to 32 bits. */
   number() {
     let code = 0;
     let factor = 1;
@@ -38,7 +38,7 @@ export class SeriesReader {
 const plain = code => code;
 const scaled = perUnit => code => code / perUnit;
 
-/** Converts 0 to NaN; all other numbers are zigzag plus 1. */
+/** Returns a function that decodes numbers that may be missing: 0 is NaN, others are zigzag + 1. */
 export const optional = perUnit => code => {
   if (code === 0) return NaN;
   const zigzag = code - 1;
@@ -47,7 +47,7 @@ export const optional = perUnit => code => {
 
 const transposed = series => series[0].map((first, frame) => series.map(list => list[frame]));
 
-/** Returns the run of a record PackedRun. */
+/** Unpacks a record PackedRun into a Run. */
 export async function unpack(setup, packed) {
   const run = new Run(setup, packed.estimated);
   const reader = new SeriesReader(await inflate(packed.data));

@@ -1,4 +1,4 @@
-// The cards of a run's page about areas: blind spots and zones.
+// The cards of blind spots and zones on the page of a run.
 import {el} from './dom.js';
 import {spelled, tipped} from './names.js';
 import {decimals, percent} from './numbers.js';
@@ -6,13 +6,13 @@ import {row, table} from './run-details.js';
 
 const MOST_SPOTS = 5;
 
-/** The areas that no camera ever covered; `show(spot)` is called for the one that is clicked. */
+/** The card of areas that no camera ever covered; calls `show(spot)` for one that is clicked. */
 export function blindSpotCard(heat, spots, show) {
-  const place = ({minX, maxX, minY, maxY}) =>
+  const centre = ({minX, maxX, minY, maxY}) =>
     `(${decimals((minX + maxX) / 2, 1)}, ${decimals((minY + maxY) / 2, 1)})`;
   const entry = spot => {
     const area = decimals(spot.area, spot.area < 10 ? 1 : 0);
-    const text = `${area} m² around ${place(spot)}`;
+    const text = `${area} m² around ${centre(spot)}`;
     return el('li', {}, el('button', {type: 'button', onclick: () => show(spot)}, text));
   };
   const rest = `The largest ${MOST_SPOTS} of ${spots.length}; hatched on the heat map.`;
@@ -33,12 +33,11 @@ export function blindSpotCard(heat, spots, show) {
 }
 
 /**
- * The zones, what each demands, and how much of that is met; with a heat map also how each zone was
- * covered, `shares`.
+ * The card of zones: what each asks for, and how much of that is met.
  *
- * @param zones of the setup
- * @param met by name of a zone, the share that is seen as the zone asks
- * @param shares of a heat map, or nothing
+ * @param zones the zones of the setup
+ * @param met the share of each zone that is seen as it asks, by the zone's name
+ * @param shares how each zone was covered, from `zoneShares`; a false value without a heat map
  */
 export function zoneCard(zones, met, shares, detection) {
   const cell = share => el('td', {}, Number.isNaN(share) ? '–' : percent(share));

@@ -1,4 +1,4 @@
-// The numbers of a whole run, its settings, and how to run it again.
+// The metrics and settings of a run, and the command that repeats it.
 import {el} from './dom.js';
 import {
   settingName,
@@ -10,14 +10,15 @@ import {
   withUnit,
 } from './names.js';
 
-const LEADING = ['score', 'mean_score']; // the last first
-const OF_K_MIN = ['performance', 'mean_k_min']; // by that objective the same as those
-
-/** Returns the elements `wholeRun`, `settings` and `made`. */
+/** The metrics at the top of the table, in reverse order. */
+const LEADING = ['score', 'mean_score'];
+/** The metrics that repeat the leading ones if k_min is the objective. */
+const K_MIN_METRICS = ['performance', 'mean_k_min'];
+/** Returns three elements, {wholeRun, settings, made}. */
 export function details({summary, names, objective, command, version}) {
   const repeated = summary.repeat > 1;
   const metrics = Object.entries(summary.metrics)
-    .filter(([name]) => !objective.kMin || !OF_K_MIN.includes(name))
+    .filter(([name]) => !objective.kMin || !K_MIN_METRICS.includes(name))
     .sort(([a], [b]) => LEADING.indexOf(b) - LEADING.indexOf(a));
   names.score.unit = scoreUnit(objective);
   names.mean_score.unit = scoreUnit(objective)
@@ -59,11 +60,11 @@ export function details({summary, names, objective, command, version}) {
 const scoreUnit = ({share, text}) =>
   share ? 'shares x steps' : text.startsWith('sum') ? 'detections' : 'cameras x steps';
 
-/** A row of the setting `optics`: the name of the optics, and its values. */
+/** A row of the setting `optics`, for one of the optics: its name and its values. */
 const opticsRow = ({name, ...parts}) =>
   row('optics', `optics ${name}`, 'optics', el('td', {}, settingText(parts)));
 
-/** A setting in words, with an option as it is written in the tooltip. */
+/** A setting in words, with its raw value in the tooltip. */
 const settingCell = (settings, name) =>
   el('td', {}, tipped(settingOf(settings, name), String(settings[name])));
 

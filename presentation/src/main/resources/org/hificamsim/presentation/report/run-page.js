@@ -1,4 +1,4 @@
-// The page of a recorded run: its replay, its figures over time, areas, and numbers.
+// Builds the page of a recorded run: its replay, figures over time, areas and numbers.
 import {Controls} from './controls.js';
 import {el} from './dom.js';
 import {blindSpots, zoneShares} from './heat-areas.js';
@@ -18,16 +18,16 @@ const ALL_ZERO =
   'k_min is 0 at every step shown: there was always a target that no camera covered. ' +
   'The shares of targets by number of cameras say more.';
 
-/** Builds the page; `data` is what RunReport wrote. */
+/** Builds the page from data that RunReport wrote. */
 export async function runPage(root, data) {
   const {setup, runs} = data.replay;
   let controls;
   let player;
-  let figure = ''; // of the heat map
-  const place = el('div', {class: 'single apart'});
+  let heatFigure = '';
+  const playerBox = el('div', {class: 'single apart'});
   const curves = el('div', {class: 'curves'});
   const heat = data.heat && (await unpackHeat(data.heat));
-  const showFigure = name => player.field.showHeat((figure = name));
+  const showFigure = name => player.field.showHeat((heatFigure = name));
   const showSpot = spot => {
     showFigure('covered');
     player.field.showArea(spot);
@@ -41,8 +41,8 @@ export async function runPage(root, data) {
   const {wholeRun, settings, made} = details(data);
   const tables = el('section', {class: 'details'}, wholeRun, settings, made);
   const readers = new Readers({
-    planner: [place, zones, blind, curves, tables],
-    researcher: [curves, tables, place, zones, blind],
+    planner: [playerBox, zones, blind, curves, tables],
+    researcher: [curves, tables, playerBox, zones, blind],
   });
 
   async function open(index) {
@@ -59,19 +59,19 @@ export async function runPage(root, data) {
     });
     if (heat) {
       player.field.loadHeat(heat);
-      player.field.showHeat(figure);
+      player.field.showHeat(heatFigure);
     }
-    place.replaceChildren(player.element);
+    playerBox.replaceChildren(player.element);
     curves.replaceChildren(player.timeline.element);
     window.hificamsim = {run, playhead, player};
-    // report.html#120 opens at step 120; without a step in the middle, where cameras have learned
+    // report.html#120 opens at step 120, report.html in the middle, where cameras have learned
     const step = /^#\d+$/.test(location.hash) ? Number(location.hash.slice(1)) : run.steps / 2;
     playhead.show(run.frameAt(step));
     root.dataset.ready = String(index);
-    if (!run.highestKMin && data.objective.kMin) place.prepend(notice(ALL_ZERO));
+    if (!run.highestKMin && data.objective.kMin) playerBox.prepend(notice(ALL_ZERO));
     if (run.every > 1) {
-      const rest = ', and the last, so that the file stays small. steps.csv has them all.';
-      place.prepend(notice(thinned(run, run.every) + rest));
+      const rest = ', and the last, to keep the file small. steps.csv has them all.';
+      playerBox.prepend(notice(thinned(run, run.every) + rest));
     }
   }
 
@@ -116,7 +116,7 @@ function answer({objective, summary: {repeat, metrics, settings}}) {
   );
 }
 
-/** The setup of the run, and the choice among its repeats. */
+/** The facts of the setup as badges, and the choice among its repeats. */
 function facts({replay: {setup, runs, repeat}}, open) {
   const badges = [
     tipped(spelled(setup.detection), setup.detection),

@@ -1,7 +1,7 @@
-// The frames of a run that are known so far: its setup, and a list by frame for each quantity.
+// A run as far as it is known: its setup, and for each quantity a list with a value for each frame.
 import {poseAt, seenAt, viewCount} from './views.js';
 
-/** Tells which share of the steps is shown. */
+/** Says which share of the steps is shown. */
 export const thinned = (run, every) =>
   `This run has ${run.steps} steps; the page shows one in ${every}`;
 
@@ -10,8 +10,8 @@ const lists = count => Array.from({length: count}, () => []);
 export class Run {
   /**
    * @param setup the record Setup
-   * @param estimated what the agents estimate; empty if they estimate nothing
-   * @param objective what a step is scored by: the record ObjectiveWords
+   * @param estimated the quantity that the agents estimate; empty if they estimate nothing
+   * @param objective the objective that steps are scored by: the record ObjectiveWords
    */
   constructor(setup, estimated = '', objective = null) {
     this.objective = objective;
@@ -30,8 +30,8 @@ export class Run {
     this.x = lists(targets);
     this.y = lists(targets);
     this.coverage = lists(targets);
-    this.seeing = setup.slow ? lists(cameras) : []; // the view that a camera has, -1 while it turns
-    this.holders = setup.following ? lists(targets) : []; // the camera that has it, -1 for none
+    this.seeing = setup.slow ? lists(cameras) : []; // the view of each camera, -1 while it turns
+    this.holders = setup.following ? lists(targets) : []; // of each target, -1 for none
     this.estimates = setup.cameras.map(camera => lists(viewCount(camera.pose)));
     this.counts = setup.cameras.map(camera => lists(viewCount(camera.pose)));
     this.belief = []; // by frame: the record BeliefFrame, if there is one
@@ -45,7 +45,7 @@ export class Run {
     this.score = []; // by frame; empty if it is not known
   }
 
-  /** Adds a record Frame of a live run, and the records Move of the steps since the last frame. */
+  /** Adds a record Frame of a live run, with the records Move of the steps since the last frame. */
   push(frame, moves = [], score = NaN) {
     this.score.push(score);
     this.step.push(frame.step);
@@ -66,8 +66,8 @@ export class Run {
   }
 
   /**
-   * Takes another setup of the same cameras and targets for the steps to come. Estimates of the
-   * agents so far are deleted, because another policy made them.
+   * Changes the setup for the next steps; cameras and targets have to be the same. Deletes the
+   * agents' estimates so far, because another policy made them.
    */
   changeSetup(setup, estimated) {
     this.setup = setup;
@@ -77,7 +77,7 @@ export class Run {
       cameras.forEach(views => views.forEach(list => list.fill(NaN)));
   }
 
-  /** Shows a camera in another pose from the last frame on, until the simulation confirms it. */
+  /** Changes a camera's pose from the last frame on, until the simulation confirms the change. */
   preview(camera, change) {
     const poses = this.poses[camera];
     const last = poses[poses.length - 1];
@@ -89,12 +89,12 @@ export class Run {
     });
   }
 
-  /** Shows a camera again where it was before a change that the simulation refused. */
+  /** Takes back the preview of a change that the simulation refused. */
   forgetPreview(camera) {
     if (this.poses[camera]?.at(-1).preview) this.poses[camera].pop();
   }
 
-  /** Removes every other frame, but not the last one. */
+  /** Removes every other frame but keeps the last one. */
   thin() {
     const rest = (this.count - 1) % 2;
     const half = list => list.filter((value, i) => i % 2 === rest);

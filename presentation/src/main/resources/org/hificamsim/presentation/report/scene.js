@@ -1,9 +1,9 @@
-// Paints a field as it is in one frame of a run, layer by layer. Pages paint it on their canvas,
-// pictures on Java's ScriptCanvas. A new layer is a function in one of the modules imported here,
-// its place in LAYERS, and what it shows in the scene.
+// Paints the field in one frame of a run, layer by layer: pages on their canvas, pictures on Java's
+// ScriptCanvas. To add a layer, write a function in one of the modules imported here, add it to
+// LAYERS, and add what it shows to the scene.
 //
-// Rhino runs this file and those that it imports as browsers do, but knows neither classes nor
-// spread arguments, and in the head of a for loop neither const nor destructuring.
+// Browsers run this file and those that it imports, and so does Rhino, which knows neither classes
+// nor spread arguments, and in the head of a for loop neither const nor destructuring.
 import {beliefs, messages} from './belief-layers.js';
 import {cameras, targets} from './figure-layers.js';
 import {floor, grid, scaleBar} from './ground-layers.js';
@@ -38,9 +38,9 @@ export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras, scaleB
 
 /**
  * Paints layers of a scene, an object with
- * - `run`: what is shown, with `setup`, `mostTargets` (present at the same time), and lists by
+ * - `run`: the run, with `setup`, `mostTargets` (the most present at once), and lists by
  *   camera or target and by frame; `frame`: the index in these lists
- * - `map`: from `fit`; `unit`: the pixels of one pixel, which grow with the text
+ * - `map`: from `fit`; `unit`: the factor by which lengths in pixels grow with the text
  * - `colours`: by their names in the style sheet
  * - `selected`: the selected camera; `densityCamera`: the one whose density zones are shown; -1 for
  *   none
@@ -50,9 +50,9 @@ export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras, scaleB
  *   nothing
  * - `zones`: a list of records ShownZone, or nothing
  * - `belief`: a record BeliefFrame, or nothing
- * - `host`: what each canvas does in its own way. `pattern(side, paint)` returns a fill style,
- *   `cells(columns, rows, colourOf)` an image, and `through(context, mask, style)` fills what
- *   `mask(canvas)` covers
+ * - `host`: functions that differ between canvases. `pattern(side, paint)` returns a fill style,
+ *   `cells(columns, rows, colourOf)` returns an image, and `through(context, mask, style)` fills
+ *   the area that `mask(canvas)` covers
  */
 export function paintScene(context, scene, layers = LAYERS) {
   layers.forEach(layer => {

@@ -1,25 +1,25 @@
-// Describes obstacles, and finds the one at a place.
+// Describes obstacles, and finds the one under the pointer.
 import {decimals} from './numbers.js';
 import {outline} from './obstacle-layer.js';
 
 const NEAR = 6; // pixels
 
 /** The kind of an obstacle and how much light it lets through. */
-export const named = ({kind, transmittance}) =>
+export const describeObstacle = ({kind, transmittance}) =>
   `${kind}, ${transmittance ? `lets ${decimals(100 * transmittance, 1)} % through` : 'solid'}`;
 
-/** An obstacle in words, with its place. */
-export function located(obstacle) {
+/** The same, with the obstacle's position in metres. */
+export function describeWithPosition(obstacle) {
   const point = (x, y) => `(${decimals(x)}, ${decimals(y)})`;
   const {kind, x1, y1, x2, y2, x, y, points} = obstacle;
-  const place =
+  const position =
     kind === 'wall'
       ? `from ${point(x1, y1)} to ${point(x2, y2)}`
       : `at ${kind === 'pillar' ? point(x, y) : point(points[0].x, points[0].y)}`;
-  return `${named(obstacle)}, ${place} m`;
+  return `${describeObstacle(obstacle)}, ${position} m`;
 }
 
-/** Returns the obstacle at a place in pixels, undefined if there is none. */
+/** Returns the obstacle at or near a point, in pixels; undefined if there is none. */
 export function obstacleAt(context, obstacles, map, unit, [x, y]) {
   context.save();
   context.resetTransform();

@@ -1,6 +1,5 @@
-// Moving means, which show where a noisy curve tends to.
-
-/** The greatest number of entries that are shown as they are. */
+// Smooths noisy curves by moving means.
+/** The greatest number of entries that are not smoothed. */
 export const MOST_RAW = 400;
 
 const PARTS = 100;
@@ -16,6 +15,6 @@ function movingMean(values, half) {
   });
 }
 
-/** The moving mean over a hundredth of all entries; few entries stay as they are. */
+/** The moving mean over a hundredth of all entries; up to MOST_RAW entries stay as they are. */
 export const smoothed = values =>
   values.length > MOST_RAW ? movingMean(values, Math.ceil(values.length / PARTS / 2)) : values;

@@ -1,11 +1,11 @@
-// Rows over the steps of a run, one for each camera or target, with the playhead.
+// A chart over the steps of a run with a row for each camera or target, and the playhead.
 import {scrub} from './chart.js';
 import {el, setText, Surface} from './dom.js';
 
 export class Strip {
   /**
-   * @param texts `title` and `label` of the strip, and `name` of what a row stands for
-   * @param key the legend, an element
+   * @param texts `title` and `label` of the strip, and `name`: "cameras" or "targets"
+   * @param key the element of the legend
    */
   constructor(playhead, {title, label, name}, key) {
     this.value = el('span', {class: 'value'});

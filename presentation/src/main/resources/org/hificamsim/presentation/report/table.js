@@ -1,4 +1,4 @@
-// Tables that are sorted by a click on a column's head, and in the other direction by a second one.
+// Tables that a click on a column's head sorts; a second click reverses the order.
 import {el} from './dom.js';
 
 const AS_WORDS = new Intl.Collator('en', {numeric: true});
@@ -11,12 +11,12 @@ function order(a, b) {
 }
 
 /**
- * Returns a table.
- * @param caption of the table
- * @param columns each {name, label?, title?, show?}: `show(text, row)` returns what is in the cell;
- *   without it, that is the text
- * @param rows each an object of texts by column name
- * @param captionClass `unseen` if a heading says the same as the caption
+ * Returns a table element.
+ * @param caption the text of the caption
+ * @param columns objects {name, label?, title?, show?}: `show(text, row)` returns the content of a
+ *   cell, by default the text itself
+ * @param rows objects of texts by column name
+ * @param captionClass `unseen` if a heading already says what the caption says
  */
 export function sortable(caption, columns, rows, captionClass) {
   const body = el('tbody');

@@ -1,9 +1,9 @@
-// The form that removes a target, which is clicked in the field or chosen by its name.
+// The form that removes a target, chosen by name or by a click in the field.
 import {el} from './dom.js';
 
 export class TargetForm {
   /**
-   * @param edit `removeTarget(target)`
+   * @param edit has `removeTarget(target)`, which is called with an index
    */
   constructor({targets}, edit) {
     this.list = el(

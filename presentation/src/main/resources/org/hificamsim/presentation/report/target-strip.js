@@ -1,4 +1,4 @@
-// Which camera had each target when, one bar for each target.
+// Shows which camera had each target over time, with one bar for each target.
 import {el, style} from './dom.js';
 import {Strip} from './strip.js';
 
@@ -7,12 +7,12 @@ const MIN_TEXT_ROW = 10; // CSS pixels
 const SHADES = [0.2, 0.36]; // opacities of cameras with even and odd numbers
 
 export class TargetStrip extends Strip {
-  constructor(playhead, on) {
+  constructor(playhead, handlers) {
     const label = 'which camera had each target over time';
     super(playhead, {title: 'which camera had each target', label, name: 'targets'}, key());
     this.box.addEventListener('click', event => {
       const {left} = this.box.getBoundingClientRect();
-      on.select(this.run.holders[this.rowAt(event)][this.frameAt(event.clientX - left)]);
+      handlers.select(this.run.holders[this.rowAt(event)][this.frameAt(event.clientX - left)]);
     });
   }
 
@@ -20,7 +20,7 @@ export class TargetStrip extends Strip {
     return targets.map(({name}) => el('span', {title: `target ${name}`}, name));
   }
 
-  /** Shows in full colour what a camera had. */
+  /** Shows the targets of a camera in full colour. */
   select(camera) {
     this.selected = camera;
     this.surface.draw();

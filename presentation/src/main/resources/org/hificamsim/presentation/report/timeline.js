@@ -1,5 +1,5 @@
-// Charts over the steps of a run: k_min, the score, how targets are covered, each camera's zoom,
-// and who had each target.
+// Charts over the steps of a run: the score, k_min, coverage of targets, each camera's zoom, and
+// which camera had each target.
 import {Chart, curveSeries, linePath} from './chart.js';
 import {el} from './dom.js';
 import {scoreNumber} from './names.js';
@@ -11,10 +11,10 @@ import {ZoomStrip} from './zoom-strip.js';
 
 export class Timeline {
   /**
-   * @param on `select(camera)`, `objective` of the run, `ceiling()` as in Player, `following`:
-   *   whether the run says which camera has each target
+   * @param options `select(camera)`, called after a click; the `objective` of the run; `ceiling()`
+   *   as in Player; `following`, whether the run says which camera has each target
    */
-  constructor(playhead, on) {
+  constructor(playhead, options) {
     this.kMin = new Chart(
       playhead,
       {
@@ -25,13 +25,15 @@ export class Timeline {
       curveSeries(),
       {
         scales: {
-          y: {range: (plot, low, high) => [0, Math.max(1, high, on.ceiling?.() ?? 0) * 1.04]},
+          y: {range: (plot, low, high) => [0, Math.max(1, high, options.ceiling?.() ?? 0) * 1.04]},
         },
         yAxis: {incrs: [1, 2, 5, 10, 20, 50]},
       },
     );
     this.score =
-      on.objective && !on.objective.kMin ? this.scoreChart(on.objective, playhead) : null;
+      options.objective && !options.objective.kMin
+        ? this.scoreChart(options.objective, playhead)
+        : null;
     const areas = COVER.map(cover => ({
       stroke: cover.colour,
       fill: cover.colour,
@@ -52,8 +54,8 @@ export class Timeline {
         yAxis: {values: (plot, values) => values.map(value => `${Math.round(100 * value)} %`)},
       },
     );
-    this.zooms = new ZoomStrip(playhead, on);
-    this.lives = on.following ? new TargetStrip(playhead, on) : null;
+    this.zooms = new ZoomStrip(playhead, options);
+    this.holders = options.following ? new TargetStrip(playhead, options) : null;
     this.element = el(
       'section',
       {class: 'timeline', 'aria-label': 'over time'},
@@ -61,7 +63,7 @@ export class Timeline {
       this.kMin.element,
       this.cover.element,
       this.zooms.element,
-      this.lives?.element,
+      this.holders?.element,
     );
   }
 
@@ -80,7 +82,7 @@ export class Timeline {
     );
   }
 
-  /** Takes a run, or frames that were added to it. */
+  /** Shows a run, with all frames that it has so far. */
   load(run) {
     this.run = run;
     const steps = run.step.slice();
@@ -95,17 +97,19 @@ export class Timeline {
     this.cover.load([steps, ...stacked.reverse()]);
     this.zooms.element.hidden = isStill(run.setup);
     this.zooms.load(run);
-    this.lives?.load(run);
+    this.holders?.load(run);
   }
 
   select(camera) {
     this.zooms.select(camera);
-    this.lives?.select(camera);
+    this.holders?.select(camera);
   }
 
   show(frame) {
     if (!this.run?.count) return;
-    [this.score, this.kMin, this.cover, this.zooms, this.lives].forEach(part => part?.show(frame));
+    [this.score, this.kMin, this.cover, this.zooms, this.holders].forEach(part =>
+      part?.show(frame),
+    );
   }
 
   describeScore(frame) {

@@ -1,7 +1,8 @@
-// The tooltip of a field: what it says of the camera, the target or the place under the pointer.
+// The tooltip of a field, which describes the camera, the target or else the point under the
+// pointer.
 import {el} from './dom.js';
 import {decimals, metres} from './numbers.js';
-import {named, obstacleAt} from './site.js';
+import {describeObstacle, obstacleAt} from './site.js';
 import {densityAt, densityZoneAt, viewName, viewOf} from './views.js';
 
 const GAP = 16; // pixels between the pointer and the tooltip
@@ -16,7 +17,7 @@ export class Tooltip {
     this.element.hidden = true;
   }
 
-  /** Shows lines of text at a place in pixels; none hide the tooltip. */
+  /** Shows lines of text at a point, in pixels; without lines, hides the tooltip. */
   show(lines, [x, y]) {
     const {element, surface} = this;
     element.hidden = !lines.length;
@@ -28,7 +29,7 @@ export class Tooltip {
   }
 }
 
-/** Where a tooltip starts: after the pointer, or before it where it would not fit. */
+/** The start of a tooltip along one axis: after the pointer, or before it if it would not fit. */
 function start(pointer, size, available) {
   const after = pointer + GAP;
   return Math.max(0, after + size <= available ? after : pointer - GAP - size);
@@ -50,11 +51,13 @@ export function describeTarget(run, frame, target) {
 /** Describes a camera of a run in a frame. */
 export function describeCamera(run, frame, camera) {
   const pose = run.pose(camera, frame);
-  const moves = run.seen(camera, frame) < 0 ? ', on its way to it: sees nothing' : '';
+  const turning = run.seen(camera, frame) < 0 ? ', turning to it: sees nothing' : '';
   return [
     `camera ${run.setup.cameras[camera].name}`,
     `x ${metres(pose.x)}, y ${metres(pose.y)}`,
-    run.online[camera][frame] ? describeView(pose, run.level[camera][frame]) + moves : 'not online',
+    run.online[camera][frame]
+      ? describeView(pose, run.level[camera][frame]) + turning
+      : 'not online',
     `detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets`,
   ];
 }
@@ -69,14 +72,14 @@ function describeView(pose, view) {
 }
 
 /**
- * Describes a place in pixels: the obstacle there, and the values of the density zones and of the
- * heat map, where they are shown.
+ * Describes a point, in pixels: the obstacle there, its pixel density and its cell of the heat map,
+ * as far as they are shown.
  */
 export function describePlace(field, [px, py]) {
   const {surface, run, map, frame, heat, selected} = field;
   const context = surface.canvas.getContext('2d');
   const obstacle = obstacleAt(context, run.setup.obstacles ?? [], map, surface.unit, [px, py]);
-  const lines = obstacle ? [named(obstacle)] : [];
+  const lines = obstacle ? [describeObstacle(obstacle)] : [];
   const [x, y] = map.place(px, py);
   if (field.densityZones && run.online[selected]?.[frame]) {
     const density = densityAt(field.view(selected), x, y);

@@ -1,5 +1,4 @@
-// The tracks of a run on a canvas of their own, so that only new frames are drawn however many
-// there are.
+// Keeps the tracks of a run on a canvas of their own, so that only new frames have to be drawn.
 import {paintTracks} from './path-layers.js';
 
 export class TrackCanvas {
@@ -8,7 +7,7 @@ export class TrackCanvas {
     this.frames = 0; // drawn so far
   }
 
-  /** Paints the tracks of a scene on the field's canvas. */
+  /** Paints the tracks of a scene on the field's canvas, after drawing the new frames. */
   paint(context, scene) {
     const {canvas} = this;
     const own = canvas.getContext('2d');

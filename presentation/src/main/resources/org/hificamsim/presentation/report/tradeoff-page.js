@@ -1,16 +1,16 @@
-// The page of a study of CamSim's network: the networks and fronts of each scenario, and the
-// verdicts on statements of papers.
+// Builds the page of a study of CamSim's network: the networks and fronts of each scenario, and
+// verdicts on statements in papers.
 import {card, madeWith} from './cards.js';
 import {el} from './dom.js';
 import {spelled} from './names.js';
 import {percent, significant} from './numbers.js';
 import {distinct, rowsOf, sortable} from './table.js';
-import {networkLegend, networkPlot, numberOf} from './tradeoff-plot.js';
+import {networkLegend, networkPlot, numberPrefix} from './tradeoff-plot.js';
 
 const SCHEDULES = {A: 'Active', P: 'Passive', HA: 'HistActive', HP: 'HistPassive'};
 const POLICIES = ['Broadcast', 'Smooth', 'Step', 'Fix'];
 
-/** Builds the page; `data` is what TradeoffReport wrote. */
+/** Builds the page from data that TradeoffReport wrote. */
 export async function tradeoffPage(root, data) {
   root.append(el('header', {}, el('h1', {}, 'Trade-off', el('small', {}, data.title))));
   const networks = rowsOf(data.networks);
@@ -28,7 +28,7 @@ export async function tradeoffPage(root, data) {
   root.dataset.ready = '';
 }
 
-/** How much the front saves and costs, and what networks of different cameras add to it. */
+/** Says how many networks are on the front, their range, and what heterogeneous ones add to it. */
 function answer(networks, fronts) {
   const front = frontOf(networks, fronts);
   const gain = Number(fronts.find(row => row.networks === 'static')?.gain ?? 0);
@@ -56,7 +56,7 @@ const frontOf = (networks, fronts) =>
     .map(name => networks.find(row => row.network === name))
     .filter(Boolean);
 
-/** The networks of one scenario: a plot, the front, and what the chosen network is. */
+/** The card of one scenario's networks: a plot, the front, and the details of a chosen network. */
 function scenarioCard(data, networks, fronts) {
   const chosen = el(
     'div',
@@ -70,7 +70,7 @@ function scenarioCard(data, networks, fronts) {
     el(
       'button',
       {type: 'button', title: row.network, onclick: () => show(row)},
-      numberOf(i) + title(row),
+      numberPrefix(i) + title(row),
     ),
   );
   return card(
@@ -82,13 +82,13 @@ function scenarioCard(data, networks, fronts) {
   );
 }
 
-/** A network of the front in words; one whose cameras differ by its short name. */
+/** A network in words, or its short name if its cameras differ. */
 const shortStrategy = (row, cameras) =>
   row.network.includes('-')
     ? row.network
     : strategiesOf(row, cameras).replace('all cameras: ', `${row.network}, `);
 
-/** The fronts, those that are the same in one row. */
+/** The card of fronts; equal fronts share a row. */
 function frontCard(fronts) {
   const columns = [
     {name: 'scenario'},
@@ -119,7 +119,7 @@ function frontCard(fronts) {
   );
 }
 
-/** The rows of sets of networks; sets whose fronts are the same become one row. */
+/** Merges the rows of sets of networks that have the same front. */
 function merged(fronts) {
   const rows = new Map();
   for (const row of fronts) {
@@ -156,7 +156,7 @@ const verdictCard = verdicts =>
     ),
   );
 
-/** A network: each camera's strategy, its figures, its recording, and how to run it. */
+/** The details of a network: each camera's strategy, figures, recording, and the command. */
 function details(data, row) {
   const replay = data.replays[`${row.scenario}-${row.network}`];
   const strategies = strategiesOf(row, data.cameras[row.scenario] ?? []);
@@ -181,7 +181,7 @@ function strategiesOf({kind, network}, cameras) {
 const strategyName = code =>
   `${SCHEDULES[code.slice(0, -1)] ?? code} ${POLICIES[code.slice(-1)] ?? ''}`;
 
-/** A figure with its interval, if it has one. */
+/** A figure of a row with its interval, if it has one. */
 function estimate(row, name, digits) {
   const number = column => Number(row[column]).toFixed(digits);
   const interval =

@@ -9,7 +9,7 @@ const KINDS = [
   ['heterogeneous', '--twice', 3],
   ['homogeneous', '--cameras', 5.5],
 ];
-const NARROW = 600; // pixels of a window, in which a large plot's words would be too small to read
+const NARROW = 600; // pixels; in a narrower window, a large plot's words would be unreadable
 const IS_NARROW = innerWidth < NARROW;
 const SIZE = {
   ...(IS_NARROW ? {width: 360, height: 320} : {width: 640, height: 460}),
@@ -28,7 +28,8 @@ const TICK_GAPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2];
 const MOST_GAPS = 5;
 
 /**
- * Returns the plot.
+ * Returns the plot as an SVG element.
+ * @param networks all networks of the scenario
  * @param front the networks of the front, by rising cost
  * @param show is called with the network whose point is clicked
  */
@@ -69,13 +70,13 @@ export function networkPlot(networks, front, show) {
   );
 }
 
-/** A point's name; in a small plot, where names would overlap, its number on the front. */
+/** The label of a point: its name or, in a small plot where names would overlap, its number. */
 const labelOf = (row, i) => (IS_NARROW ? String(i + 1) : row.network);
 
-/** The number that stands for a name of the front in a small plot. */
-export const numberOf = i => (IS_NARROW ? `${i + 1}: ` : '');
+/** The number that marks a network of the front in a small plot, with a colon; otherwise empty. */
+export const numberPrefix = i => (IS_NARROW ? `${i + 1}: ` : '');
 
-/** The names of the front's points above them; names that would overlap share one label. */
+/** The labels of the front's points; names that would overlap share one label. */
 function labels(points) {
   const groups = [];
   for (const {name, x, y} of points) {
@@ -99,7 +100,7 @@ function axis(networks, share, from, to) {
   const span = 1 - Math.min(...networks.map(row => Number(row[share])));
   const gap = TICK_GAPS.find(width => span / width <= MOST_GAPS) ?? 0.2;
   const count = Math.min(Math.ceil(span / gap + 0.1), Math.round(1 / gap));
-  const end = to + (to > from ? -MARGIN : MARGIN); // points and names at 1 are whole
+  const end = to + (to > from ? -MARGIN : MARGIN); // leaves space for points and names at 1
   const place = value => end - ((1 - Number(value)) / (gap * count)) * (end - from);
   return {
     place,

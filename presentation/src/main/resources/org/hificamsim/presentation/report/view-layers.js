@@ -1,5 +1,5 @@
-// The layers of what cameras see: their views, density zones, and what walls hide. Rhino runs this
-// file too: see scene.js.
+// The layers of views, density zones, and areas that walls hide. Rhino runs this file too: see
+// scene.js.
 import {scaledDashes} from './dashes.js';
 import {hatch} from './hatch.js';
 import {DENSITY_ZONES} from './palette.js';
@@ -9,7 +9,7 @@ import {band, border, fillDetected, inSight, seenAt, viewAt} from './views.js';
 export const VIEW_DASHES = [5, 4];
 export const BLIND_DASHES = [2, 5];
 
-/** The density zones of a camera, each with its name at its far end. */
+/** Paints the density zones of a camera, each with its name at its far end. */
 export function densityZones(context, {densityCamera, run, frame, map, colours, unit}) {
   if (
     densityCamera < 0 ||
@@ -46,8 +46,8 @@ export function densityZones(context, {densityCamera, run, frame, map, colours, 
 }
 
 /**
- * The borders of all fields of view; the ranges in which a target of the usual size is detected are
- * filled.
+ * Draws the borders of all fields of view, and fills the ranges in which a target of the usual size
+ * is detected.
  */
 export function views(context, scene) {
   const {run, frame, map, colours, unit, selected, densityCamera} = scene;
@@ -74,7 +74,7 @@ export function views(context, scene) {
 const onlineCameras = ({run, frame}) =>
   run.setup.cameras.map((spec, camera) => camera).filter(camera => run.online[camera][frame]);
 
-/** Hatches what some camera would detect if no wall hid it from all cameras. */
+/** Hatches the area that walls hide from all cameras but that some camera would otherwise cover. */
 export function shadows(context, scene) {
   const {run, frame, map, colours, unit, host} = scene;
   const seeingViews = onlineCameras(scene)

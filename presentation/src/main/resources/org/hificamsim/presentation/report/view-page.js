@@ -1,4 +1,5 @@
-// The live page: one or two simulations of the same targets, stepped by the command that serves it.
+// Builds the live page: one or two simulations of the same targets, stepped by the command that
+// serves the page.
 import {ChoiceForm} from './choice.js';
 import {Controls, onKeys} from './controls.js';
 import {el, setText} from './dom.js';
@@ -17,16 +18,16 @@ const RECENT_STEPS = 100;
 const SCROLLING = ['.side', '.tools'];
 
 const LIVE_NOTE =
-  'Drag a camera, or move the chosen one with W A S D and turn it with Q and E (with shift ten ' +
-  'times as far). After a new model, policy, camera or wall the targets go on, and learning ' +
-  'begins again.';
+  'Drag a camera, or move the chosen one with W A S D and turn it with Q and E (ten times as ' +
+  'far with shift). After a change of model, policy, cameras or walls, targets move on and ' +
+  'learning begins again.';
 const PLAN_NOTE =
   '1. Set the scale: choose "scale", click both ends of a length that you know, and type it. ' +
-  '2. Draw walls, shelves, and zones with what they ask for. 3. Plan the cameras, or hang them ' +
-  'yourself: where they are, then where they look. Drag them, and watch what is met. ' +
-  '4. Save the scenario beside the plan.';
+  '2. Draw walls, shelves, and zones with what they ask for. 3. Plan the cameras, or draw them ' +
+  'yourself, from where they hang to where they look. Drag them, and watch what is met. ' +
+  '4. Save the scenario next to the plan.';
 
-/** Builds the page; `data` is what LivePage wrote. */
+/** Builds the page from data that LivePage wrote. */
 export async function viewPage(root, data) {
   const view = new LiveView(root, data);
   window.hificamsim = view;
@@ -40,11 +41,11 @@ class LiveView {
     this.runs = [];
     this.players = [];
     this.forms = [];
-    this.figure = ''; // of the heat map
+    this.figure = ''; // the figure of the heat map that is shown
     this.held = []; // the cameras whose views are chosen by hand
     this.seed = el('input', {type: 'number', id: 'seed', value: 0, step: 1, min: 0});
     this.keep = el('input', {type: 'checkbox', id: 'keep', checked: true});
-    this.twice = el('button', {
+    this.compareButton = el('button', {
       type: 'button',
       id: 'compare',
       class: 'simulating',
@@ -55,12 +56,12 @@ class LiveView {
     this.warning = el('p', {class: 'notice warning', role: 'alert', hidden: true});
     this.shares = new ZoneList();
     const status = el('p', {class: 'unseen', role: 'status'});
-    this.place = el('div', {class: 'live-view'});
+    this.content = el('div', {class: 'live-view'});
     root.append(
       this.header(),
       el('div', {class: 'messages'}, this.fault, this.warning, this.thinned),
       status,
-      this.place,
+      this.content,
     );
     this.edits = new LiveEdits(this, status);
     this.draw = new DrawForm(data, this.edits, outline =>
@@ -83,7 +84,7 @@ class LiveView {
       el(
         'p',
         {class: 'badges'},
-        this.twice,
+        this.compareButton,
         ...['undo', 'redo'].map(command =>
           el('button', {type: 'button', id: command, onclick: () => this.send({command})}, command),
         ),
@@ -150,7 +151,7 @@ class LiveView {
     events.onopen = () => this.showFault('');
   }
 
-  /** Takes new simulations, or new choices for the present ones. */
+  /** Shows new simulations, or new choices for the present ones if they are not `fresh`. */
   setUp({fresh, sides}) {
     if (fresh) {
       this.selectAdded(sides[0].setup);
@@ -168,10 +169,12 @@ class LiveView {
     this.build(fresh);
   }
 
-  /** Builds the players; the forms only for new simulations, because somebody may be typing. */
+  /**
+   * Builds the players, and new forms only for new simulations: the user may be typing in a form.
+   */
   build(fresh) {
-    const focused = this.place.querySelector('.tools :focus');
-    const scrolled = SCROLLING.map(name => this.place.querySelector(name)?.scrollTop ?? 0);
+    const focused = this.content.querySelector('.tools :focus');
+    const scrolled = SCROLLING.map(name => this.content.querySelector(name)?.scrollTop ?? 0);
     this.playhead.listeners = [];
     this.controls.run = this.runs[0];
     this.playhead.subscribe(frame => this.controls.show(frame));
@@ -187,17 +190,20 @@ class LiveView {
       column.querySelector('.player')?.remove();
       column.append(this.players[i].element);
     });
-    focused?.focus(); // it may have moved to a new player
-    SCROLLING.forEach((name, i) => (this.place.querySelector(name).scrollTop = scrolled[i]));
-    setText(this.twice, this.runs.length > 1 ? 'one model only' : 'second model next to it');
+    focused?.focus(); // restores the focus, which moving an element to a new player removes
+    SCROLLING.forEach((name, i) => (this.content.querySelector(name).scrollTop = scrolled[i]));
+    setText(
+      this.compareButton,
+      this.runs.length > 1 ? 'one model only' : 'second model next to it',
+    );
     this.refresh();
   }
 
-  /** Builds a column for each simulation; two have the controls above them. */
+  /** Builds a column for each simulation; two columns share the controls above them. */
   buildColumns() {
     const pair = this.runs.length > 1;
     this.columns = this.forms.map(form => el('section', {class: 'column'}, form.element));
-    this.place.replaceChildren(
+    this.content.replaceChildren(
       pair ? this.controls.element : '',
       el('div', {class: pair ? 'pair' : 'single'}, ...this.columns),
     );
@@ -221,13 +227,13 @@ class LiveView {
     return form;
   }
 
-  /** Changes the choice of a simulation. If it is refused, the form shows the old one again. */
+  /** Sends a choice to a simulation; if it is refused, the form shows the old one again. */
   async choose(side, choice) {
     if (!(await this.send({command: 'choose', side, ...choice})))
       this.forms[side]?.show(this.runs[side].setup);
   }
 
-  /** Makes a camera that is selected in one simulation selected in the other, too. */
+  /** Makes a selection in one simulation select the same camera in the other. */
   selectTogether() {
     const selections = this.players.map(player => player.select.bind(player));
     const selectInAll = camera => {
@@ -239,7 +245,7 @@ class LiveView {
     selectInAll(exists ? this.camera : this.players[0].agent.camera);
   }
 
-  /** Selects a camera that has just been added; otherwise the selected one stays. */
+  /** Selects a camera that has just been added, or else keeps the selection. */
   selectAdded({cameras}) {
     const before = this.runs[0]?.setup.cameras.map(({name}) => name);
     if (!before) return;
@@ -254,7 +260,7 @@ class LiveView {
     this.refresh();
   }
 
-  /** Draws what has arrived, once for everything that arrives before the next picture. */
+  /** Draws what has arrived, at most once for each frame of the browser. */
   refresh() {
     this.waiting ??= requestAnimationFrame(() => {
       this.waiting = null;
@@ -266,7 +272,7 @@ class LiveView {
     });
   }
 
-  /** Tells which steps are shown. The first ones have the largest gaps. */
+  /** Says which steps are shown; the gaps are largest between the first ones. */
   showThinned(run) {
     const every = run.count > 1 ? run.step[1] - run.step[0] : 1;
     this.thinned.hidden = every === 1;
@@ -274,7 +280,7 @@ class LiveView {
       setText(this.thinned, `${thinned(run, every)} of the first ones, and all of the last.`);
   }
 
-  /** Takes the heat maps of the simulations, unless the players have changed since. */
+  /** Shows the heat maps of the simulations, unless the players have changed since. */
   async loadHeat(sides) {
     const {players} = this;
     const maps = await Promise.all(sides.map(unpackHeat));
@@ -310,7 +316,7 @@ class LiveView {
     this.started = true;
   }
 
-  /** Shows the zones, records ShownZone, and what the cameras can see of each. */
+  /** Shows the zones, records ShownZone, with the share of each that is met. */
   showZones(zones = []) {
     this.zones = zones;
     this.shares.show(zones);

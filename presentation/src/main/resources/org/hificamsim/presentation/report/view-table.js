@@ -1,14 +1,14 @@
-// The table of the views of a camera that can turn, with a row for each zoom level and a column for
-// each pan angle and tilt.
+// The table of the views of a camera that can turn: a row for each zoom level, a column for each
+// pan angle and tilt.
 import {el, setText} from './dom.js';
 import {decimals} from './numbers.js';
 import {directionName, viewName} from './views.js';
 
 export class ViewTable {
   /**
-   * @param pose of the camera
-   * @param hold is called with a view in which the camera is to stay; nothing if views cannot
-   *   be chosen
+   * @param pose the camera's pose
+   * @param hold is called with a view in which the camera is to stay; undefined if views cannot be
+   *   chosen
    */
   constructor(pose, hold) {
     const {levels, pans} = pose;
@@ -52,10 +52,11 @@ export class ViewTable {
   }
 
   /**
+   * Shows the chosen view and the estimates.
    * @param chosen the view that was chosen, -1 for none
    * @param blind whether the camera is still turning to it
-   * @param estimates by view; nothing if there are none
-   * @param counts the number of observations of each estimate, or nothing
+   * @param estimates the estimate of each view; null if there are none
+   * @param counts the number of observations of each estimate; null if there are none
    */
   show(chosen, blind, estimates, counts) {
     const largest = Math.max(1e-12, ...(estimates ?? []).filter(Number.isFinite).map(Math.abs));

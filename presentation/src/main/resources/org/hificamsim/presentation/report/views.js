@@ -1,15 +1,15 @@
-// What a camera sees in one of its views: a zoom level at a pan angle, cut off by walls.
-// Rhino runs this file too: see scene.js.
-import {signed} from './numbers.js';
+// The views of cameras: a zoom level at a pan angle, cut off by walls. Rhino runs this file too:
+// see scene.js.
+import {signedDegrees} from './numbers.js';
 import {DENSITY_ZONES} from './palette.js';
 
 /** The number of views that a camera in this pose can choose. */
 export const viewCount = ({levels, pans}) => levels.length * (pans?.length || 1);
 
-/** Whether the cameras have one view each, as those of a plan: a policy changes nothing. */
+/** Whether each camera has only one view, as in a plan, so that no policy can change anything. */
 export const isStill = ({cameras}) => cameras.every(({pose}) => viewCount(pose) === 1);
 
-/** Returns what a camera has in one of its views; angles in radians. */
+/** Returns the properties of a camera's view; angles in radians, lengths in metres. */
 export function viewOf(pose, view) {
   const zoom = view % pose.levels.length;
   const pan = pose.pans?.[Math.floor(view / pose.levels.length)] ?? 0;
@@ -26,17 +26,17 @@ export function viewOf(pose, view) {
     heading: pose.heading + pan,
     viewingAngle: lens?.viewingAngle ?? pose.viewingAngle,
     density: lens?.density ?? 0,
-    ground: pose.grounds?.[view % pose.grounds.length], // in the picture, of a camera with a height
+    ground: pose.grounds?.[view % pose.grounds.length], // in the picture, if cameras have a height
     reach: lens && detected ? detected : level.radius, // a lens has no other limit
   };
 }
 
 const tiltName = radians =>
-  signed(Math.abs(radians)).replace('+', '') + (radians < 0 ? ' up' : ' down');
+  signedDegrees(Math.abs(radians)).replace('+', '') + (radians < 0 ? ' up' : ' down');
 
-/** The i-th direction of a camera in words; empty if it has only one. */
+/** The i-th direction of a camera in words; empty if it can neither pan nor tilt. */
 export const directionName = ({pans, tilts}, i) =>
-  [pans && signed(pans[i]), tilts && tiltName(tilts[i])].filter(Boolean).join(', ');
+  [pans && signedDegrees(pans[i]), tilts && tiltName(tilts[i])].filter(Boolean).join(', ');
 
 /** A view in words. */
 export const viewName = (pose, view) =>
@@ -51,7 +51,7 @@ export function poseAt({poses, step}, camera, frame) {
   return poses[camera][last].pose;
 }
 
-/** The view in which a camera of a run sees in a frame; -1 while it turns and sees nothing. */
+/** The view that a camera of a run has in a frame; -1 while it turns and sees nothing. */
 export const seenAt = ({seeing, level}, camera, frame) => (seeing[camera] ?? level[camera])[frame];
 
 /** The view of a camera of a run in a frame: the one it has, or else the one it is turning to. */
@@ -74,13 +74,13 @@ function sector(path, map, {x, y, heading, viewingAngle}, radius) {
   }
 }
 
-/** Adds the part of a view between two distances to the path, to be filled by rule `evenodd`. */
+/** Adds the part of a view between two distances to the path; fill it by the rule `evenodd`. */
 export function band(path, map, view, from, to) {
   sector(path, map, view, to);
   if (from > 0) sector(path, map, view, from);
 }
 
-/** Adds a ring to the path; its corners are x and y in turn, in metres. */
+/** Adds a ring to the path; `corners` are x and y in turn, in metres. */
 export function ring(path, map, corners) {
   for (let i = 0; i < corners.length; i += 2)
     path[i ? 'lineTo' : 'moveTo'](map.x(corners[i]), map.y(corners[i + 1]));
@@ -125,7 +125,7 @@ export function fillDetected(context, map, view) {
   });
 }
 
-/** The pixels per metre at a place; NaN outside the picture, or if the density is not known. */
+/** The pixels per metre at a point; NaN outside the picture, or if the density is not known. */
 export function densityAt(view, x, y) {
   const [right, up] = [x - view.x, y - view.y];
   const turn = Math.atan2(right, up) - view.heading;
@@ -135,6 +135,6 @@ export function densityAt(view, x, y) {
     : NaN;
 }
 
-/** The name of the density zone of a density, pixels per metre. */
+/** The name of the density zone that a density, in pixels per metre, is in. */
 export const densityZoneAt = density =>
   DENSITY_ZONES.find(({least}) => density >= least)?.name ?? 'less than overview';

@@ -1,6 +1,6 @@
-// What the policies of a comparison are measured by.
+// The yardsticks that policies of a comparison are measured by.
 
 export const OPTIMAL = 'optimal';
 
-/** The names in place of a policy's that no network of cameras can run. */
+/** The yardsticks' names, as they stand among the policies in tables. */
 export const YARDSTICKS = [OPTIMAL, 'best-fixed', 'bound', 'reachable'];

@@ -1,15 +1,15 @@
-// The layers of zones, and of their names with the share of each that is met. Rhino runs this file
-// too: see scene.js.
+// The layers of zones and of their names, with the share of each zone that is met. Rhino runs this
+// file too: see scene.js.
 import {decimals} from './numbers.js';
 import {ring} from './views.js';
 
-const STRIP = 1; // metres, the width of a zone along a line
+const LINE_ZONE_WIDTH = 1; // metres
 const DASHES = [7, 4];
 
-/** Whether a list of zones has one that is drawn; the whole field is not. */
+/** Whether any of the zones has an outline; the whole field has none. */
 export const hasOutlines = (zones = []) => zones.some(({points}) => points.length);
 
-/** The zones of a site that is being planned; runs show none. */
+/** Draws the zones of a site that is being planned; runs show none. */
 export function zones(context, {zones: shown, map, colours, unit}) {
   if (!shown) return;
   shown
@@ -18,7 +18,7 @@ export function zones(context, {zones: shown, map, colours, unit}) {
       context.strokeStyle = context.fillStyle = colours.accent;
       context.beginPath();
       outline(context, zone, map);
-      context.lineWidth = zone.shape === 'POLYLINE' ? STRIP * map.scale : 1.5 * unit;
+      context.lineWidth = zone.shape === 'POLYLINE' ? LINE_ZONE_WIDTH * map.scale : 1.5 * unit;
       context.globalAlpha = 0.1;
       if (zone.shape === 'POLYLINE') context.stroke();
       else context.fill();
@@ -50,7 +50,7 @@ function outline(path, {shape, points}, map) {
   }
 }
 
-/** The names of zones, above what cameras see, each on a plate that no other plate covers. */
+/** Writes the names of zones above the views, each on a plate that no other plate covers. */
 export function zoneNames(context, {zones: shown, map, colours, unit}) {
   if (!shown) return;
   const plates = [];
@@ -73,7 +73,7 @@ export function zoneNames(context, {zones: shown, map, colours, unit}) {
 
 const middle = list => (Math.min.apply(null, list) + Math.max.apply(null, list)) / 2;
 
-/** How much of a plate's height two may share: more than what rounding leaves between them. */
+/** The share of its height by which a plate may overlap another: allows for rounding errors. */
 const OVERLAP = 0.01;
 
 /** Moves a plate down until it covers no other one. */
@@ -96,7 +96,7 @@ function paintName(context, text, {x, y, width, height}, colours, unit) {
   context.fillText(text, x, y + 4 * unit);
 }
 
-/** The direction in which faces look that have to be seen. */
+/** Draws an arrow in the direction in which the faces look that a zone asks for. */
 function arrow(context, x, y, facing, colours, unit) {
   const heading = (facing * Math.PI) / 180;
   const [dx, dy] = [Math.sin(heading), -Math.cos(heading)];

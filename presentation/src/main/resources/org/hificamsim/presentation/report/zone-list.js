@@ -1,4 +1,4 @@
-// The list of the zones of a site, with what each asks for and how much of it is met.
+// The list of a site's zones, with what each asks for and how much of it is met.
 import {el} from './dom.js';
 import {decimals} from './numbers.js';
 
@@ -18,7 +18,7 @@ export class ZoneList {
     );
   }
 
-  /** Shows records ShownZone; nothing while it is not known what is met. */
+  /** Shows records ShownZone, except those of which it is not yet known what is met. */
   show(zones) {
     const known = zones.filter(({met}) => met !== undefined);
     this.element.hidden = !known.length;

@@ -1,4 +1,4 @@
-// The zoom level of each camera over time, one row for each camera.
+// Shows the zoom level of each camera over time, with one row for each camera.
 import {el, style} from './dom.js';
 import {decimals} from './numbers.js';
 import {levelShare, scaleColour} from './palette.js';
@@ -6,11 +6,11 @@ import {Strip} from './strip.js';
 import {viewName, viewOf} from './views.js';
 
 export class ZoomStrip extends Strip {
-  constructor(playhead, on) {
+  constructor(playhead, handlers) {
     const label = 'zoom level of each camera over time';
     super(playhead, {title: 'zoom of each camera', label, name: 'cameras'}, key());
-    this.on = on;
-    this.box.addEventListener('click', event => this.on.select(this.rowAt(event)));
+    this.handlers = handlers;
+    this.box.addEventListener('click', event => this.handlers.select(this.rowAt(event)));
   }
 
   namesOf({cameras}) {
@@ -21,7 +21,7 @@ export class ZoomStrip extends Strip {
           type: 'button',
           title: camera.name,
           'aria-pressed': 'false',
-          onclick: () => this.on.select(i),
+          onclick: () => this.handlers.select(i),
         },
         camera.name,
       ),
@@ -47,7 +47,7 @@ export class ZoomStrip extends Strip {
     return `${this.run.setup.cameras[camera].name}, step ${this.run.step[frame]}: ${text}`;
   }
 
-  /** Each column of pixels has the mean level of its frames. */
+  /** Paints the levels; a column of pixels shows the mean level of its frames. */
   paint(context, width, height) {
     const {run} = this;
     const cameras = run.setup.cameras.length;
@@ -74,7 +74,7 @@ export class ZoomStrip extends Strip {
   }
 }
 
-/** The mean position between the narrowest and the widest level, 0 to 1; NaN if never online. */
+/** The mean level on a scale from 0, the narrowest, to 1, the widest; NaN if never online. */
 function meanLevel(run, camera, from, to) {
   const levels = run.level[camera];
   const most = run.setup.cameras[camera].pose.levels.length;
