@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the instances of docs/placement.md by published recipes, so that others can measure on the same ones.
+"""Makes the instances of docs/placement.md by published recipes, so that others can measure with the same instances.
 
     bench/instances.py scp SAMPLES CANDIDATES DENSITY SEED      OR-Library's form, by Balas and Ho (1980): each sample is seen by at
                        least two candidates, each candidate sees one sample or more, prices are whole, uniform from 1 to 100; those

@@ -1,13 +1,13 @@
-"""Environment steps a second from Python, and of the Java kernel: random actions, observations and auto-reset on.
+"""Measures environment steps per second from Python and of the Java kernel, with random actions, observations and auto-reset.
 
     python/build/venv/bin/python bench/python_env.py [--seconds 3] [--threads 1] [--csv FILE]
     python/build/venv/bin/python bench/python_env.py --checks 101
 
-Each row is one way to step; steps are counted by networks (environment steps) and by cameras (agent steps), and
-divided by the processor time of the process, so that other work on the machine counts little; a process backend's
-time is that of both processes. mate-4v8-9 is the scenario of that name. MATE is not on PyPI: `mate` is another package.
-With --checks, what looking at the actions costs: so many pairs of rounds with and without it in turn, by the time of the
-thread that steps, of which the median of the ratios is printed with its 95 % interval (order statistics).
+Each row is one way to step. Steps are counted by networks (environment steps) and by cameras (agent steps) and divided by the
+processor time of the process, so that other work on the machine matters little; with a process backend, by that of both
+processes. mate-4v8-9 is the scenario of that name. MATE is not on PyPI, where `mate` is another package. With --checks, it
+measures the cost of checking actions by that many pairs of rounds with and without checks, in the time of the thread that
+steps, and prints the median of the ratios with its 95 % interval (order statistics).
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ CLUSTER = str(ROOT / "bench" / "cluster-8.xml")
 
 
 def processor_time(worker: int | None) -> float:
-    """Seconds of processor time of this process, and of a worker."""
+    """Returns the processor time of this process and of a worker, in seconds."""
     own = time.process_time()
     if worker is None:
         return own
@@ -39,7 +39,7 @@ def processor_time(worker: int | None) -> float:
 
 
 def rate(step: Callable[[], object], worlds: hificamsim.Worlds, seconds: float) -> tuple[float, float]:
-    """Environment steps a second of processor time and of the clock, the best of five rounds."""
+    """Returns environment steps per second of processor time and of wall time, the best of five rounds."""
     worker = getattr(getattr(worlds._backend, "_worker", None), "pid", None)
     best = [0.0, 0.0]
     for round_ in range(6):
@@ -55,7 +55,7 @@ def rate(step: Callable[[], object], worlds: hificamsim.Worlds, seconds: float) 
 
 
 def kernel(scenario: str, num_envs: int, threads: int, backend: str, **settings: object):
-    """Worlds alone; their actions are written once."""
+    """Steps worlds only, with actions that are written once."""
     worlds = hificamsim.Worlds(scenario, num_envs, threads=threads, backend=backend, **settings)
     told = np.random.default_rng(1).integers(0, worlds.choices[0], (16, *worlds.actions.shape), dtype=np.int32)
     turn = iter(range(1 << 62))
@@ -68,7 +68,7 @@ def kernel(scenario: str, num_envs: int, threads: int, backend: str, **settings:
 
 
 def vector(scenario: str, num_envs: int, threads: int, backend: str, **settings: object):
-    """Gymnasium's vector environment."""
+    """Steps Gymnasium's vector environment."""
     envs = hificamsim.vector_env(scenario, num_envs, threads=threads, backend=backend, **settings)
     envs.reset()
     envs.action_space.seed(1)
@@ -78,7 +78,7 @@ def vector(scenario: str, num_envs: int, threads: int, backend: str, **settings:
 
 
 def parallel(scenario: str, num_envs: int, threads: int, backend: str, **settings: object):
-    """PettingZoo's dictionaries, one network."""
+    """Steps one network with the dictionaries of PettingZoo."""
     env = hificamsim.parallel_env(scenario, backend=backend, **settings)
     env.reset()
     told = [{agent: env.action_space(agent).sample() for agent in env.agents} for _ in range(16)]
@@ -108,7 +108,7 @@ ROWS = [
 
 
 def checks(pairs: int) -> None:
-    """Prints how much longer a step takes because its actions are looked at."""
+    """Prints by how much checking actions lengthens a step."""
     told = spaces.told
 
     def unchecked(actions: object, counts: np.ndarray, name: object) -> np.ndarray:
@@ -123,7 +123,7 @@ def checks(pairs: int) -> None:
             took = {}
             for look in (told, unchecked) if pair % 2 else (unchecked, told):
                 spaces.told = look
-                began = time.thread_time()  # without those that compile and collect
+                began = time.thread_time()  # excludes threads that compile or collect garbage
                 for _ in range(max(1, 80_000 // num_envs // len(worlds.cameras))):
                     step()
                 took[look] = time.thread_time() - began

@@ -2,8 +2,8 @@
 
     table.py RESULTS [--write]
 
-Ours is in JMH's JSON, the peers' in CSV. A figure is the median of the timed runs with the least and the most;
-a ratio is the peer's median over ours, from the peer's least over our most to the peer's most over our least.
+Our times are in JMH's JSON, the peers' in CSV. A figure is the median of the timed runs with the least and the greatest;
+a ratio is the peer's median over ours, from the peer's least over our greatest to the peer's greatest over our least.
 """
 
 import csv
@@ -27,7 +27,7 @@ PLAIN = "plain Java objects"
 
 @dataclass(frozen=True)
 class Times:
-    """Seconds per step or instance: the median of the timed runs, the least, the most."""
+    """Seconds per step or instance: the median, the least and the greatest of the timed runs."""
 
     middle: float
     least: float
@@ -49,7 +49,7 @@ class Times:
 
 @dataclass(frozen=True)
 class Row:
-    """A comparison; the ratio has its middle, least and most too."""
+    """A comparison, with the median, the least and the greatest of its ratio."""
 
     what: str
     peer: str
@@ -59,13 +59,13 @@ class Row:
 
     @classmethod
     def of(cls, what: str, peer: str, ours: Times, theirs: Times) -> "Row":
-        """With the spread of both sides' runs propagated."""
+        """Compares two sets of times; the spread of the ratio follows from the spreads of both."""
         ratio = Times(theirs.middle / ours.middle, theirs.least / ours.most, theirs.most / ours.least)
         return cls(what, peer, ours, theirs, ratio)
 
     @classmethod
     def paired(cls, what: str, peer: str, ours: list[float], theirs: list[float]) -> "Row":
-        """Of instances that differ in difficulty: medians and quartiles."""
+        """Compares times of the same instances, which differ in difficulty, by medians and quartiles."""
         ratios = [peers / own for own, peers in zip(ours, theirs, strict=True)]
         return cls(what, peer, Times.quartiles(ours), Times.quartiles(theirs), Times.quartiles(ratios))
 
@@ -75,7 +75,7 @@ class Row:
 
 
 def number(value: float) -> str:
-    """Three significant digits, with commas in thousands."""
+    """Returns a number with three significant digits and commas between thousands."""
     if value >= 100:
         digits = len(str(int(value))) - 3
         return f"{round(value, -digits):,.0f}"
@@ -90,7 +90,7 @@ class Results:
         self.jmh = [entry for path in sorted(folder.glob("*.json")) for entry in json.loads(path.read_text())]
 
     def ours(self, benchmark: str, **parameters: str) -> Times | None:
-        """The timed iterations of a benchmark with these parameters."""
+        """Returns the timed iterations of a benchmark with these parameters."""
         for entry in self.jmh:
             if entry["benchmark"].endswith("." + benchmark) and parameters.items() <= entry["params"].items():
                 runs = [run for fork in entry["primaryMetric"]["rawData"] for run in fork]
@@ -106,7 +106,7 @@ class Results:
         return Times.of([float(row[side]) for row in rows(path)]) if path.exists() else None
 
     def cp_sat(self, kind: str) -> Times | None:
-        """Each repeat's mean over the instances, once the optima are found to be ours."""
+        """Returns the mean over the instances for each repeat, after checking that the optima equal ours."""
         paths = sorted(self.folder.glob(f"cpsat-{kind}-*.csv"))
         if not paths:
             return None
@@ -160,7 +160,7 @@ class Results:
         return table + self.large_optima()
 
     def large_optima(self) -> list[Row]:
-        """The processor times of the instances that both proved, by density; without those, nothing."""
+        """Compares processor times of the instances that both solvers proved, by density; empty if there are none."""
         folder = self.folder / "optimum"
         if not (folder / "cpsat.csv").exists():
             return []
@@ -181,7 +181,7 @@ class Results:
         ]
 
     def machine(self) -> str:
-        """Processor, cores and versions, on one line."""
+        """Returns processor, cores and versions in one line."""
         java = self.jmh[0]
         parts = [processor(), f"{os.cpu_count()} cores", f"{java['vmName']} {java['vmVersion']}", f"JMH {java['jmhVersion']}"]
         parts.append(f"Python {platform.python_version()}")
@@ -196,7 +196,7 @@ def rows(path: Path) -> list[dict[str, str]]:
 
 
 def processor() -> str:
-    """The processor's model as the system names it."""
+    """Returns the model of the processor as the system names it."""
     if platform.system() == "Darwin":
         return subprocess.check_output(["sysctl", "-n", "machdep.cpu.brand_string"], text=True).strip()
     found = re.search(r"^model name\s*: (.*)$", Path("/proc/cpuinfo").read_text(), re.MULTILINE)

@@ -1,4 +1,4 @@
-"""Writes the tables of docs/, docs/tables/*.csv in Markdown cells, from results: tables.py NAME FOLDER...; for docs/make-figures."""
+"""Writes the tables docs/tables/*.csv, whose cells are Markdown, from folders of results: tables.py NAME FOLDER... (see docs/make-figures)."""
 
 import csv
 import json
@@ -22,7 +22,7 @@ def number(text):
     return float(text) if text else math.nan
 
 
-def put(name, header, lines):
+def write_table(name, header, lines):
     with open(DOCS / "tables" / f"{name}.csv", "w", newline="", encoding="utf-8") as file:
         csv.writer(file, lineterminator="\n").writerows([header, *lines])
 
@@ -61,7 +61,7 @@ def table_81(folder):
                 read = " / ".join(cell(r, column) for r in own)
                 line.append("" if set(read) <= set("- /") else read.removeprefix("- / - / "))
             lines.append(line)
-    put("table-8.1", ["", "published", "ours", "", *OTHERS.values()], lines)
+    write_table("table-8.1", ["", "published", "ours", "", *OTHERS.values()], lines)
 
 
 READINGS = {
@@ -86,7 +86,7 @@ def readings(folder):
             own = next(r for r in found if (r["reading"], r["detection"]) == (name, detection))
             line += [f"{number(own['distance']):.3f}", f"{own['within']} of 9"]
         lines.append(line)
-    put("readings", ["", "hi-fi", "within 0.05", "CamSim", "within 0.05"], lines)
+    write_table("readings", ["", "hi-fi", "within 0.05", "CamSim", "within 0.05"], lines)
 
 
 def verdicts(folder, name):
@@ -96,7 +96,7 @@ def verdicts(folder, name):
         fitted = " *(fitted)*" if row["role"] == "fitted" else ""
         why = row["why"].replace(" checks hold; weakest:", ";")
         lines.append([row["claim"], row["source"], row["verdict"] + fitted, why])
-    put(name, ["statement", "source", "verdict", "checks that hold; the weakest margin"], lines)
+    write_table(name, ["statement", "source", "verdict", "checks that hold; the weakest margin"], lines)
 
 
 def reproduce(folder):
@@ -132,12 +132,12 @@ def sensitivity(folder):
                 ", ".join(flips) or "nowhere",
             ]
         )
-    put("sensitivity", ["parameter", "values", "holds", "flips"], lines)
+    write_table("sensitivity", ["parameter", "values", "holds", "flips"], lines)
 
 
 # the sites of sites.md
 
-HIDDEN = ("optimal",)  # by which all are divided
+HIDDEN = ("optimal",)  # the scores of others are shares of its score
 
 
 def means(folder, metric, scenario=None):
@@ -156,7 +156,7 @@ def interval(row, form):
 
 
 def sites(*folders):
-    """Of each site: what adapting is worth to a bound that jumps, and to cameras that move."""
+    """Writes the value of adapting on each site, for a bound that moves at once and for cameras whose moves take time."""
     values, shares = [], {}
     for folder in folders:
         name = pathlib.Path(folder).name
@@ -174,15 +174,15 @@ def sites(*folders):
             if policy not in HIDDEN:
                 shares.setdefault(policy, {})[name] = f"{number(row['mean']):.2f}"
     header = ["site", "seeds", "`optimal`, mean score", "value of adapting, jumping", "value of adapting, moving"]
-    put("sites", header, values)
+    write_table("sites", header, values)
     names = [pathlib.Path(folder).name for folder in folders]
     order = sorted(shares, key=lambda policy: -sum(float(shares[policy].get(name, 0)) for name in names))
     lines = [[f"`{policy}`", *(shares[policy].get(name, DASH) for name in names)] for policy in order]
-    put("shares", ["", *names], lines)
+    write_table("shares", ["", *names], lines)
 
 
 def adapting(*folders):
-    """Of each site: what adapting is worth to cameras that jump, to those that take their time, and to cooperative ones."""
+    """Writes the value of adapting on each site, for cameras that move at once, for those whose moves take time, and for cooperative ones."""
     lines = []
     for folder in folders:
         name = pathlib.Path(folder).name
@@ -197,7 +197,7 @@ def adapting(*folders):
              f"{own / fixed:.2f}", f"{own / most:.2f}", f"{100 * (1 - reached / most):.1f} %"]
         )
     header = ["site", "jumping", "in time", "`cooperative`", "its share of what could be reached", "gap"]
-    put("adapting", header, lines)
+    write_table("adapting", header, lines)
 
 
 def cooperation(perfect, bad):
@@ -222,7 +222,7 @@ PARTS = {"nothing": "as it is", "pan": "no `pan`", "obstacles": "no obstacles", 
 
 
 def realism(*folders):
-    """The value of adapting with a part of the file left out: jumping, then moving."""
+    """Writes the value of adapting with one part of the scenario left out, for cameras that move at once and for those that take time."""
     parts = {pathlib.Path(folder).name: folder for folder in folders}
     names = ["corridor", "junction", "hall", "car-park", "campus", "border"]
 
@@ -233,11 +233,11 @@ def realism(*folders):
 
     lines = [line("optimal", part, words) for part, words in PARTS.items() if part != "time"]
     lines += [line("independent-greedy", part, f"`independent-greedy`, {PARTS[part]}") for part in ("nothing", "time")]
-    put("realism", ["value of adapting", *names], lines)
+    write_table("realism", ["value of adapting", *names], lines)
 
 
 def ranked(folder):
-    """Of each scenario the rank of each policy by its mean score, 1 the best; those that tie share the mean."""
+    """Returns the rank of each policy by scenario, 1 for the highest mean score; policies that tie share the mean rank."""
     found = {}
     for scenario in scenarios(folder):
         scores = {policy: number(row["mean"]) for policy, row in means(folder, "score", scenario).items()}
@@ -249,7 +249,7 @@ def ranked(folder):
 
 
 def tau(one, other):
-    """Kendall's tau-b of two orders of the same policies."""
+    """Returns Kendall's tau-b of two orders of the same policies."""
     sign = lambda a, b: (a > b) - (a < b)
     pairs = [(sign(one[a], one[b]), sign(other[a], other[b])) for a in one for b in one if a < b]
     left, right = (sum(abs(pair[i]) for pair in pairs) for i in (0, 1))
@@ -262,14 +262,14 @@ def mean(values):
 
 
 def ranks(layouts, sites):
-    """Mean ranks on the scenarios of chapter 8 and on the sites; prints Kendall's taus, for the text."""
+    """Writes mean ranks on the scenarios of chapter 8 and on the sites, and prints Kendall's taus for the text."""
     orders = [ranked(layouts), ranked(sites)]
     policies = list(next(iter(orders[0].values())))
     both = [{policy: mean(ranks[policy] for ranks in order.values()) for policy in policies} for order in orders]
     policies.sort(key=lambda policy: both[0][policy])
     words = ("the six of chapter 8 (`hifi:orb-lin`, k_min)", "the eight sites (as above)")
     lines = [[text, *(f"{order[policy]:.1f}" for policy in policies)] for text, order in zip(words, both)]
-    put("ranks", ["", *policies], lines)
+    write_table("ranks", ["", *policies], lines)
     six, eight = (list(order.values()) for order in orders)
     pairs = lambda order: mean(tau(a, b) for i, a in enumerate(order) for b in order[:i])
     print(f"tau of both {tau(*both):.2f}; mean among the six {pairs(six):.2f}, among the sites {pairs(eight):.2f}, ", end="")
@@ -286,21 +286,21 @@ def arenas(folder):
         steps = {"mate-4v8-9": 300, "hit-mac": 100}[scenario]
         adapting = means(folder, "value_of_adapting", scenario)["optimal"]
         lines.append([f"[{scenario}](../scenarios/{scenario}.xml)", *(f"{number(shares[policy]['mean']) / steps:.2f}" for policy in policies), interval(adapting, ".2f")])
-    put("arenas", ["", *policies, "value of adapting"], lines)
+    write_table("arenas", ["", *policies, "value of adapting"], lines)
 
 
 def turning(folder):
-    """Of policies for cameras that turn: mean score of a step."""
+    """Writes the mean score of a step for policies of cameras that turn."""
     names = scenarios(folder)
     found = {name: means(folder, "score", name) for name in names}
     lines = []
     for policy in found[names[0]]:
         lines.append([f"`{policy}`", *(f"{number(found[name][policy]['mean']) / 300:.2f}" for name in names)])
-    put("turning", ["policy", *names], lines)
+    write_table("turning", ["policy", *names], lines)
 
 
 def ratios(*folders):
-    """Prints R2 of ORB's confidence on measured PIP by a line, for each ratio, for the text of reproduction.md."""
+    """Prints R2 of a line that predicts ORB's confidence from measured PIP, for each ratio, for the text of reproduction.md."""
     for folder in folders:
         photos = rows(folder, "measurements.csv")
         pip, confidence = ([number(row[name]) for row in photos] for name in ("pip", "orb"))
@@ -308,7 +308,7 @@ def ratios(*folders):
 
 
 def ladder(folder):
-    """Of a ladder of detections, the top rung first: its optimum, tau, regret in percent in the mean and in each scenario, and cost."""
+    """Writes each rung of a ladder of detections, the top one first: optimum, tau, mean regret and regret by scenario in percent, cost."""
     found = rows(folder, "rungs.csv")
     scenarios = list(dict.fromkeys(row["scenario"] for row in found if row["scenario"] != "all"))
     costs = json.loads(pathlib.Path(folder, "cost.json").read_text(encoding="utf-8"))["steps"]
@@ -320,11 +320,11 @@ def ladder(folder):
         lines.append([f"`{mean['rung']}`", f"{number(mean['optimum']):.2f}", between(mean, "tau", ".2f"), f"{share} [{low}, {high}]",
             *(f"{100 * number(own[scenario]['share']):.0f}" for scenario in scenarios), f"{cost:.0f}"])
     names = (scenario.replace("-", " ") for scenario in scenarios)
-    put("ladder", ["rung", "optimum's `k_min`", "tau", "regret, %", *names, "ns a step"], lines)
+    write_table("ladder", ["rung", "optimum's `k_min`", "tau", "regret, %", *names, "ns a step"], lines)
 
 
 def rungs(*folders):
-    """Of each ladder of a world: tau and what the choice loses, in percent; and what a rung predicts."""
+    """Writes for each ladder of a world tau, what the choice of each rung loses in percent, and what the rung predicts."""
     names = [pathlib.Path(folder).name.removeprefix("ladder-") for folder in folders]
     found = {
         name: {row["rung"]: row for row in rows(folder, "rungs.csv") if row["scenario"] != "all"}
@@ -339,8 +339,8 @@ def rungs(*folders):
         mean = f"{sum(taus) / len(taus):.2f}; {sum(lost) / len(lost):.0f}"
         losses.append([f"`{rung}`", *(loss(row) for row in own), mean])
         levels.append([f"`{rung}`", *(f"{number(row['optimum']):.2f}" for row in own)])
-    put("rungs", ["rung", *names, "mean"], losses)
-    put("rungs-optimum", ["rung", *names], levels)
+    write_table("rungs", ["rung", *names, "mean"], losses)
+    write_table("rungs-optimum", ["rung", *names], levels)
 
 
 def loss(row):
@@ -351,11 +351,11 @@ def loss(row):
 
 # camsim-studies.md
 
-FRACTILE = 2.045  # Student's, of 30 seeds
+STUDENT_QUANTILE = 2.045  # for a 95 % interval of 30 seeds
 
 
 def studies(plain, *changed):
-    """The statements; fronts under each condition; what each strategy keeps of its utility under loss and delay."""
+    """Writes the verdicts on statements, the front under each condition, and the utility that strategies keep under loss and delay."""
     verdicts(plain, "statements")
     folders = [plain, *changed]
     scenarios = list(dict.fromkeys(row["scenario"] for row in rows(plain, "networks.csv")))
@@ -370,14 +370,14 @@ def studies(plain, *changed):
             cheap = min((row for row in own if number(row["utility_share"]) >= 0.95), key=lambda row: number(row["cost"]))
             lines.append([pathlib.Path(folder).name, scenario, f"{max(number(row['utility']) for row in own):.0f}", f"{max(number(row['cost']) for row in own):.0f}",
                 between(front["homogeneous"], "hypervolume", ".3f"), between(front["static"], "gain", "+.3f"), best["network"], f"{cheap['network']}, {100 * number(cheap['cost_share']):.0f} %"])
-    put("conditions", ["", "scenario", "most utility", "most messages", "hypervolume of homogeneous networks", "heterogeneous ones add", "best alone", "cheapest with 95 % of the utility"], lines)
+    write_table("conditions", ["", "scenario", "most utility", "most messages", "hypervolume of homogeneous networks", "heterogeneous ones add", "best alone", "cheapest with 95 % of the utility"], lines)
     lines = []
     for network in dict.fromkeys(row["network"] for row in rows(plain, "networks.csv") if row["kind"] == "homogeneous"):
         line = [network]
         for folder in changed:
             line += [kept(plain, folder, scenario, network) for scenario in scenarios]
         lines.append(line)
-    put("kept", ["", *(f"{pathlib.Path(folder).name}: {scenario}" for folder in changed for scenario in scenarios)], lines)
+    write_table("kept", ["", *(f"{pathlib.Path(folder).name}: {scenario}" for folder in changed for scenario in scenarios)], lines)
 
 
 def saso(folder):
@@ -389,24 +389,24 @@ def between(row, name, form):
 
 
 def kept(plain, changed, scenario, network):
-    """The percentage of a strategy's utility that a condition leaves, seed by seed."""
+    """Returns the percentage of a strategy's utility that remains under a condition, paired by seed."""
     before, after = (
         [number(row["utility"]) for row in rows(folder, "results.csv") if (row["scenario"], row["network"]) == (scenario, network)]
         for folder in (plain, changed)
     )
     shares = [100 * y / x for x, y in zip(before, after) if x > 0]
-    return f"{statistics.mean(shares):.0f} ± {FRACTILE * statistics.stdev(shares) / math.sqrt(len(shares)):.0f}"
+    return f"{statistics.mean(shares):.0f} ± {STUDENT_QUANTILE * statistics.stdev(shares) / math.sqrt(len(shares)):.0f}"
 
 
 def search(*folders):
-    """How much of the hypervolume of all networks a search finds: pairs of folders, all networks and the search."""
+    """Writes the share of the hypervolume that a search finds; folders come in pairs, of all networks and of the search."""
     lines = []
     for full, found in zip(folders[::2], folders[1::2]):
         networks, some = rows(full, "networks.csv"), rows(found, "networks.csv")
         most = [max(number(row[name]) for row in networks) for name in ("utility", "cost")]
         whole, part = volume(networks, *most), volume(some, *most)
         lines.append([networks[0]["scenario"], f"{len(networks):,}", f"{len(some):,}", f"{whole:.4f}", f"{100 * part / whole:.2f} %"])
-    put("search", ["scenario", "networks", "the search runs", "hypervolume of all", "of it found"], lines)
+    write_table("search", ["scenario", "networks", "the search runs", "hypervolume of all", "of it found"], lines)
 
 
 def volume(networks, utility, cost):
@@ -423,7 +423,7 @@ def steps_of(folder):
 
 
 def placement(*folders):
-    """Plans and the sites' own cameras under both readings: folders 60/SITE-any, 60/SITE-fixed; those in 600 went on."""
+    """Writes plans and the sites' own cameras under both readings: folders 60/SITE-any, 60/SITE-fixed; those in 600 had 600 seconds."""
     plans = {}
     for folder in map(pathlib.Path, folders):
         plans.setdefault(folder.name, {})[folder.parent.name] = json.loads((folder / "summary.json").read_text())
@@ -437,7 +437,7 @@ def placement(*folders):
             line.append("proven" if plan["proven"] else f"{100 * gap:.2f} %")
         lines.append(line)
     times = [f"{what}, {time}" for time in ("1 min", "10 min") for what in ("plan", "bound", "gap")]
-    put("placement", ["site", "cameras", "reading", "its own", *times], lines)
+    write_table("placement", ["site", "cameras", "reading", "its own", *times], lines)
 
 
 def short(text, digits):
@@ -445,7 +445,7 @@ def short(text, digits):
 
 
 def benchmark(folder):
-    """The leaderboard: a folder of `benchmark leaderboard`."""
+    """Writes the leaderboard from a folder of `benchmark leaderboard`."""
     lines = {}
     for row in rows(folder, "leaderboard.csv"):
         built_in = row["name"] == row["policy"]
@@ -455,11 +455,11 @@ def benchmark(folder):
         elif row["task"]:
             line[row["task"].removesuffix("-v1")] = short(row["value"], 2)
     header = list(dict.fromkeys(column for line in lines.values() for column in line))
-    put("benchmark", ["policy", *header], [[name, *(line.get(c, DASH) for c in header)] for name, line in lines.items()])
+    write_table("benchmark", ["policy", *header], [[name, *(line.get(c, DASH) for c in header)] for name, line in lines.items()])
 
 
 def trained(*files):
-    """What python/examples/measure.py wrote, by task, beside the board: run after `benchmark`."""
+    """Writes the scores of python/examples/measure.py by task, compared with the leaderboard; run it after `benchmark`."""
     import numpy
 
     found = {}
@@ -476,11 +476,11 @@ def trained(*files):
     others = [name for name in ("`cooperative` before ways", "`cooperative`", "IPPO", "MAPPO", "`softmax`", "`epsilon-greedy`", "`sarsa`") if name in board]
     names = ["IQM", *[column for column in board[others[0]] if column not in ("policy", "IQM")]]
     lines = [[name, *(of[name] for of in columns.values()), *(board[other][name] for other in others)] for name in names]
-    put("trained", ["", *columns, *others], lines)
+    write_table("trained", ["", *columns, *others], lines)
 
 
 def curves(*folders):
-    """The curves of trainings, beside the script that draws them."""
+    """Writes the curves of trainings next to the script that draws them."""
     with open(DOCS / "img" / "recipe-curves.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["method", "training", "round", "minutes", "score"])
@@ -491,8 +491,8 @@ def curves(*folders):
 
 
 def intervals(scores, tasks):
-    """The interquartile mean and each task's mean of scores (trainings, tasks, testing seeds), with 95 % intervals by a
-    bootstrap over trainings, and within each task over testing seeds."""
+    """Returns the interquartile mean, and each task's mean, of scores in the shape (trainings, tasks, testing seeds), with
+    95 % intervals by a bootstrap over trainings and, within each task, over testing seeds."""
     import numpy
 
     random = numpy.random.default_rng(1)

@@ -1,4 +1,4 @@
-# Sourced by ./hificamsim: the optional parts of the command line, each fetched and built when it is first asked for.
+# Sourced by ./hificamsim: adds optional parts of the command line, which are fetched and built on first use.
 # shellcheck shell=sh
 
 # Adds the jars of the part $1 to `libraries`.
@@ -18,7 +18,7 @@ part() {
     libraries="$libraries:$root/$1/build/install/$1/*"
 }
 
-# Builds the module $1, which needs libraries of the group $2, called $3, of $4 MB, for the option $5.
+# Builds the module $1 for the option $5. It needs the libraries $3, of the Maven group $2 and of $4 MB.
 part_from_maven() {
     installed=${root:?}/$1/build/install/$1
     if ! [ -e "$installed" ] && ! [ -d "$(gradle_files)/caches/modules-2/files-2.1/$2" ]; then

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Makes the virtual environment $1 with what the requirements $2 name, $3 MB from PyPI, for the tests of $4, each file by
-# its SHA-256 in the .lock next to them (tools/lock-wheels writes it); does nothing if it has them. Further arguments go to pip, which may take PIP_SECONDS (600). PYTHON names another
-# python3. Fails with one line on standard error.
+# Makes the virtual environment $1 with the packages of the requirements $2, $3 MB from PyPI, for the tests of $4. Each file
+# has to have its SHA-256 in the .lock next to the requirements (tools/lock-wheels writes it). Does nothing if the packages are
+# there. Further arguments go to pip, which may take PIP_SECONDS (600). PYTHON names another python3. Fails with one line on
+# standard error.
 set -eu
 
 venv=$1

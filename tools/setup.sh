@@ -1,5 +1,5 @@
 # Sourced by ./hificamsim and ./test with `root` set: finds or installs what the project needs, and builds.
-# Everything said here goes to standard error. Why it is so: docs/adr/0002-build.md.
+# All messages go to standard error. docs/adr/0002-build.md has the reasons.
 # shellcheck shell=sh
 : "${root:?}"
 
@@ -7,16 +7,16 @@ gradle=/usr/share/gradle/bin/gradle # Debian's; the one on PATH may be another v
 debian_opencv=/usr/share/java/opencv.jar # instead of Maven Central's, as in profiling/build.gradle
 lib=$root/cli/build/install/hificamsim/lib
 archive=${lib%/*}.jsa
-installing=yes # no, after --no-install: what is missing is listed, and nothing is installed or fetched
+installing=yes # "no" after --no-install: missing packages are listed, and nothing is installed or fetched
 
 say() { echo "hificamsim: $*" >&2; }
 die() { say "$@"; exit 1; }
 
-# Java reads names of files as the locale says, and C or POSIX (cron, batch systems) knows none with an accent.
+# Java decodes names of files by the locale; C and POSIX (cron, batch systems) do not allow accents.
 [ "$(locale charmap 2>/dev/null)" != ANSI_X3.4-1968 ] || export LC_ALL=C.UTF-8
 case $root in *:*) die "this folder is $root, expected a path without a colon: Java's class path cannot hold one" ;; esac
 
-# The feature version (17, 25, ...) of the Java installation $1, 0 when there is none.
+# Prints the feature version (17, 25, ...) of the Java installation $1; 0 if there is none.
 java_version() {
     version=
     if [ -r "$1/release" ]; then
@@ -27,7 +27,7 @@ java_version() {
     echo "${version:-0}"
 }
 
-# Prints the first Java installation with the program $1 whose version lies in $2..$3: JAVA_HOME, PATH, the usual place.
+# Prints the first Java installation with the program $1 and a version in $2..$3; looks in JAVA_HOME, PATH, the usual folder.
 java_home() {
     on_path=$(command -v "$1") && on_path=$(dirname "$(dirname "$(readlink -f "$on_path")")")
     for home in "${JAVA_HOME:-}" "$on_path" /usr/lib/jvm/*-17-*; do
@@ -42,9 +42,9 @@ java_home() {
 }
 
 run_home() { java_home java 17 999; }
-build_home() { java_home javac 17 17; } # Gradle 4.4.1 runs on no later one
+build_home() { java_home javac 17 17; } # Gradle 4.4.1 does not run on later versions
 
-# Installs the Debian packages that are missing, when it may; otherwise says which, in one line.
+# Installs missing Debian packages; if it may not, names them in one line.
 install_missing() {
     missing=
     build_home >/dev/null || missing=openjdk-17-jdk-headless
@@ -55,14 +55,14 @@ install_missing() {
     install "$missing" || die "could not install $missing"
 }
 
-# The browser of the tests; without one they skip what needs it, and say so.
+# Installs the browser of the tests; without one, tests that need it are skipped with a message.
 install_browser() {
     command -v chromium >/dev/null && command -v chromedriver >/dev/null && return
     if may_install && install 'chromium chromium-driver'; then return; fi
     say "missing: chromium and chromedriver, so pages are not tested; as root: apt-get install chromium chromium-driver"
 }
 
-# Python with venv, for the tests of the Python package and of recordings; without it they are skipped, and say so.
+# Installs Python with venv, for the tests of the Python package and of recordings; without it they are skipped with a message.
 install_python() {
     python3 -c 'import venv, ensurepip' 2>/dev/null && return
     if may_install && install python3-venv; then return; fi
@@ -73,13 +73,13 @@ may_install() {
     [ "$installing" = yes ] && command -v apt-get >/dev/null && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }
 }
 
-# Installs the packages named in $1, and says before how much that fetches; afterwards what apt-get said, if it failed.
+# Announces the size of the packages $1 and installs them; if that fails, prints the output of apt-get.
 install() {
     as_root=
     [ "$(id -u)" = 0 ] || as_root='sudo -n'
     say "missing: $1; asking apt-get for it"
     log=$(mktemp)
-    $as_root apt-get update >"$log" 2>&1 </dev/null || true # one dead source need not stop the rest
+    $as_root apt-get update >"$log" 2>&1 </dev/null || true # an unreachable source does not stop the others
     say "installing it, $(get "$1" --assume-no 2>&1 | sed -n 's/^Need to get \(.*\) of archives.*/\1/p') to fetch"
     if get "$1" --yes >>"$log" 2>&1; then
         rm -f "$log"
@@ -90,7 +90,7 @@ install() {
     fi
 }
 
-# apt-get install of the packages named in $1, with the option $2.
+# Calls apt-get install for the packages $1 with the option $2.
 # shellcheck disable=SC2086 # several packages, several words
 get() {
     $as_root env LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 \
@@ -99,7 +99,7 @@ get() {
 
 gradle_files() { echo "${GRADLE_USER_HOME:-${HOME:-$root}/.gradle}"; }
 
-# Says how much Gradle is going to fetch from Maven Central; with --no-install, that it is missing.
+# Announces what Gradle will fetch from Maven Central; with --no-install, says that it is missing.
 tell_libraries() {
     cache=$(gradle_files)/caches/modules-2/files-2.1
     wanted=
@@ -111,26 +111,26 @@ tell_libraries() {
     say "fetching $wanted"
 }
 
-# Gradle in the project's root on the right JDK, without the lines that Debian's start script and downloads add.
+# Runs Gradle in the project's root on the right JDK, without the lines that Debian's start script and downloads add.
 run_gradle() (
     JAVA_HOME=$(build_home)
     GRADLE_USER_HOME=$(gradle_files)
-    GRADLE_OPTS="-XX:TieredStopAtLevel=1 ${GRADLE_OPTS:-}" # it mostly waits for what it starts
+    GRADLE_OPTS="-XX:TieredStopAtLevel=1 ${GRADLE_OPTS:-}" # Gradle mostly waits for the processes that it starts
     export JAVA_HOME GRADLE_USER_HOME GRADLE_OPTS
     [ "$installing" = yes ] || set -- --offline "$@"
     cd "$root" && "$gradle" --no-daemon "$@" </dev/null 2>&1
 )
 without_chatter() { grep --line-buffered -Ev '^(Download https?:|openjdk version |OpenJDK .*(Runtime|VM|warning))' || true; }
 
-# Whether $1 must be built: never built, or a source or build file (or its directory) is newer than its stamp $2.
+# Whether $1 must be built: it has no stamp $2, or a source or build file (or its directory) is newer than the stamp.
 stale() {
     [ -e "$1" ] && [ -f "$2" ] || return 0
     [ -n "$(cd "$root" && find build.gradle settings.gradle gradle ./*/build.gradle ./*/src \
         -path './*/src/test' -prune -o -newer "$2" -print -quit)" ]
 }
 
-# Dumps the classes of five short commands, for the JVM to map them at the next start (docs/adr/0002-build.md).
-# Whatever goes wrong here, the command line starts without them.
+# Archives the classes of five short commands, which the JVM maps at the next start (docs/adr/0002-build.md).
+# If this fails, the command line starts without the archive.
 archive_classes() {
     scratch=$(mktemp -d) || return 0
     rm -f "$archive"
@@ -142,7 +142,7 @@ archive_classes() {
         list_classes camsim "$root/scenarios/tutorial-camsim.xml" -t 50 -o "$scratch/steps.csv" &&
         cat "$scratch"/*.classes | sed '/ source: /d; s/ id: [0-9]*$//' | awk '!seen[$0]++' >"$scratch/all" && # newer JVMs number classes
         "$java/bin/java" -Xshare:dump -Xlog:disable "-XX:SharedClassListFile=$scratch/all" "-XX:SharedArchiveFile=$archive.new" -cp "$lib/*"; then
-        mv "$archive.new" "$archive" # never a part of one: the JVM does not survive that
+        mv "$archive.new" "$archive" # never an incomplete one, which crashes the JVM
     fi >/dev/null 2>&1
     rm -rf "$scratch" "$archive.new"
 }
@@ -151,7 +151,7 @@ list_classes() {
         -cp "$lib/*" org.hificamsim.cli.Main "$@"
 }
 
-# Builds $1 by the Gradle task $2 if that is needed; of several calls at once one builds and the others wait for it.
+# Builds $1 by the Gradle task $2 if it is stale. If several calls need it at once, one builds and the others wait.
 build_if_stale() {
     product=${1:-$lib}
     goal=${2:-:cli:installDist}
@@ -168,7 +168,7 @@ build_if_stale() {
         flock 9
         stale "$product" "$stamp" || exit 0
         if [ -f "$stamp" ]; then say "building what has changed"; else say "building; the first time takes a minute"; fi
-        touch "$stamp.new" # as of the start: what changes during the build is newer
+        touch "$stamp.new" # has the time of the start, so that changes during the build are newer
         if ! log=$(run_gradle --quiet "$goal"); then
             printf '%s\n' "$log" | without_chatter >&2
             die "the build failed"

@@ -1,4 +1,4 @@
-"""The pages of the documentation site, as a hook of MkDocs: those of the repository, with the same links.
+"""A hook of MkDocs that makes the documentation site of the repository's pages, with the same links.
 
 A paragraph that is one link to a CSV file becomes its table.
 """
@@ -17,7 +17,7 @@ LIST = re.compile(r"(?m)^(?![ \t]*(?:[-*]|\d+\.) |[ \t]*$|    |\|)(.*)\n(?=(?:[-
 
 
 def on_pre_build(config) -> None:
-    """Copies the pages and the files that they link to, at their places in the repository."""
+    """Copies the pages, and the files that they link to, to the same paths as in the repository."""
     shutil.rmtree(PAGES, ignore_errors=True)
     tracked = subprocess.check_output(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, text=True)
     files = {pathlib.Path(name) for name in tracked.split("\0") if name and (ROOT / name).exists()}
@@ -31,12 +31,12 @@ def on_pre_build(config) -> None:
 
 
 def links(file: pathlib.Path, page: pathlib.Path):
-    """Where the links in a file lead that is part of a page."""
+    """Returns the targets of the links in a file that is part of a page."""
     return (within(page, link[3]) for link in LINK.finditer((ROOT / file).read_text(encoding="utf-8")))
 
 
 def within(page: pathlib.Path, link: str) -> pathlib.Path:
-    """Where a link of a page leads, from the root."""
+    """Returns the target of a page's link, relative to the root."""
     target = (ROOT / page.parent / link).resolve()
     return target.relative_to(ROOT) if target.is_relative_to(ROOT) else pathlib.Path("..")
 
@@ -44,17 +44,17 @@ def within(page: pathlib.Path, link: str) -> pathlib.Path:
 def on_page_markdown(markdown: str, page, config, files) -> str:
     here = pathlib.Path(page.file.src_uri)
     markdown = TABLE.sub(lambda link: table(PAGES / within(here, link[1])), markdown)
-    markdown = LIST.sub(r"\1\n\n", markdown)  # a list after a line of text, as GitHub shows it
+    markdown = LIST.sub(r"\1\n\n", markdown)  # shows a list after a line of text, as GitHub does
     return LINK.sub(lambda link: link[2] if is_folder(here, link[3]) else link[0], markdown)
 
 
 def on_page_content(html: str, page, config, files) -> str:
-    """The empty corner of a table is no heading."""
+    """Makes the empty corner of a table an ordinary cell instead of a heading."""
     return re.sub(r"<th[^>]*></th>", "<td></td>", html)
 
 
 def is_folder(here: pathlib.Path, link: str) -> bool:
-    """A folder of the repository has no page."""
+    """Whether a link leads to a folder of the repository, which has no page."""
     return (ROOT / within(here, link)).is_dir()
 
 

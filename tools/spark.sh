@@ -1,14 +1,14 @@
 # Sourced by ./hificamsim for --engine spark: finds Spark, builds the application jar, sets the variables at the end.
 # shellcheck shell=sh
 
-# Prints the folder of a Spark distribution: SPARK_HOME, else where the spark-submit on PATH belongs, pip's included.
+# Prints the folder of a Spark distribution: SPARK_HOME, or else that of the spark-submit on PATH, which pip may have installed.
 spark_home() {
     submit=$(command -v spark-submit) && submit=$(dirname "$(readlink -f "$submit")")
     for spark in "${SPARK_HOME:-}" "${submit:+$submit/..}" "${submit:-/none}"/../lib/python3*/site-packages/pyspark; do
         for core in "${spark:-/none}"/jars/spark-core_*.jar; do
             [ -f "$core" ] && echo "$spark" && return
         done
-        [ -z "${SPARK_HOME:-}" ] || return 1 # set, and wrong: no guessing
+        [ -z "${SPARK_HOME:-}" ] || return 1 # it is set but wrong, so nothing else is tried
     done
     return 1
 }

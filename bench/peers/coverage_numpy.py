@@ -35,17 +35,17 @@ class JavaRandom:
 
 
 class Policy(Protocol):
-    """How all cameras choose their zoom levels (0 is the narrowest)."""
+    """Chooses the zoom levels of all cameras (0 is the narrowest)."""
 
     def choose(self, level: np.ndarray, detected: np.ndarray) -> np.ndarray:
-        """The next levels, given the present ones and the numbers of targets detected."""
+        """Returns the next levels, given the present ones and the numbers of detected targets."""
 
     def learn(self, level: np.ndarray, detected: np.ndarray) -> None:
-        """Takes note of what the levels detected."""
+        """Learns from the numbers of targets that the levels detected."""
 
 
 class ZoomOut:
-    """Every camera at its widest level."""
+    """Keeps every camera at its widest level."""
 
     def __init__(self, cameras: int, levels: int) -> None:
         self.widest = np.full(cameras, levels - 1)
@@ -58,7 +58,7 @@ class ZoomOut:
 
 
 def widest_best(values: np.ndarray) -> np.ndarray:
-    """Of each row the last column with the largest value."""
+    """Returns for each row the last column with the largest value."""
     return values.shape[1] - 1 - np.argmax(values[:, ::-1], axis=1)
 
 
@@ -77,7 +77,7 @@ class Exploration:
 
 
 class EpsilonGreedy:
-    """The level that detected most on average, for each camera."""
+    """Chooses for each camera the level that detected most on average."""
 
     def __init__(self, cameras: int, levels: int, exploration: Exploration) -> None:
         self.row = np.arange(cameras)
@@ -144,7 +144,7 @@ class Simulation:
         self.policy = make_policy(policy, len(cameras), self.radii.size, len(objects), epsilon, seed)
 
     def step(self) -> np.ndarray:
-        """Runs one step; gives the number of cameras that cover each target."""
+        """Runs one step, and returns the number of cameras that cover each target."""
         self.level = self.policy.choose(self.level, self.detected)
         seen = self.observe(self.level)
         self.detected = seen.sum(axis=1)
@@ -154,7 +154,7 @@ class Simulation:
         return coverage
 
     def observe(self, level: np.ndarray) -> np.ndarray:
-        """Whether camera i detects target j at these levels."""
+        """Returns a matrix that says whether camera i detects target j at these levels."""
         distance = self.distance()
         z = self.focal_lengths[level][:, np.newaxis]
         pip = np.minimum(1, 10 ** -(-18.82 * z - 2.0 * self.size + 0.2 * distance + 2.47))
@@ -162,13 +162,13 @@ class Simulation:
         return (distance <= self.radii[level][:, np.newaxis]) & (confidence >= THRESHOLD)
 
     def distance(self) -> np.ndarray:
-        """From camera i to target j, metres."""
+        """Returns a matrix of distances from camera i to target j, in metres."""
         dx = self.place[:, 0] - self.camera_x[:, np.newaxis]
         dy = self.place[:, 1] - self.camera_y[:, np.newaxis]
         return np.sqrt(dx * dx + dy * dy)
 
     def move(self) -> None:
-        """Moves the targets; one that would leave the field stays and turns about."""
+        """Moves the targets; a target that would leave the field stays and turns around."""
         step = np.column_stack([np.sin(self.heading), np.cos(self.heading)])
         step *= self.speed[:, np.newaxis]
         self.place += step
@@ -196,7 +196,7 @@ def make_policy(
 
 
 def check(scenario: str, policy: str, steps: str) -> None:
-    """Compares k_min and the number of detections with a steps.csv, epsilon being 0."""
+    """Compares k_min and the number of detections with a steps.csv, with epsilon 0."""
     simulation = Simulation(scenario, policy, epsilon=0)
     count = 0
     with open(steps, newline="") as file:
@@ -216,7 +216,7 @@ def check(scenario: str, policy: str, steps: str) -> None:
 
 
 def measure(scenario: str, policy: str, repeats: int, seconds: float) -> None:
-    """Prints seconds per step for each repeat of about this length, of one step at least."""
+    """Prints seconds per step for each repeat, which lasts about this many seconds but at least one step."""
     simulation = Simulation(scenario, policy)
     simulation.step()
     print("seconds")

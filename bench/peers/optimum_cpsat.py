@@ -1,4 +1,4 @@
-"""OR-Tools CP-SAT, one thread, on the instances that OptimumTimes wrote.
+"""Solves the instances that OptimumTimes wrote by OR-Tools CP-SAT on one thread.
 
     python optimum_cpsat.py FOLDER [SECONDS]
 

@@ -1,4 +1,4 @@
-"""One line of bench/sectors: our mean time, CP-SAT's, and their ratio, once all optima are found to be the same.
+"""Prints a line of bench/sectors: our mean time, CP-SAT's, and their ratio, after checking that all optima are equal.
 
     sectors_table.py FOLDER OBJECTIVE
 """

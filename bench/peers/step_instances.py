@@ -1,4 +1,4 @@
-"""The steps of a run as instances of the max-min coverage problem, one JSON object a line.
+"""Writes the steps of a run as instances of the max-min coverage problem, one JSON object a line.
 
     {"targets": T, "cameras": [[[targets detected at level 0], [at level 1], ...], ...]}
 
@@ -17,7 +17,7 @@ from coverage_numpy import Simulation
 
 
 def detection_sets(simulation: Simulation, nearest: float) -> list[list[list[int]]]:
-    """The targets that each camera would detect at each of its levels, where they are now."""
+    """Returns the targets that each camera would detect at each of its levels in the present step."""
     sets: list[list[list[int]]] = [[] for _ in simulation.level]
     for level, radius in enumerate(simulation.radii):
         seen = simulation.observe(np.full_like(simulation.level, level))

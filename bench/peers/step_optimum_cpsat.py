@@ -1,4 +1,4 @@
-"""The exact optimum of each instance (see step_instances.py) with OR-Tools CP-SAT on one thread.
+"""Computes the exact optimum of each instance (see step_instances.py) by OR-Tools CP-SAT on one thread.
 
     step_optimum_cpsat.py INSTANCES.jsonl [kmin|covered:k=K|sum:cap=C]
 
@@ -15,7 +15,7 @@ from ortools.sat.python import cp_model
 
 
 def model(instance: dict, objective: str) -> tuple[cp_model.CpModel, cp_model.LinearExprT]:
-    """One level for each camera, so that the objective is largest."""
+    """Returns a model that chooses one level for each camera to maximise the objective, and the objective."""
     problem = cp_model.CpModel()
     covering: list[list[cp_model.IntVar]] = [[] for _ in range(instance["targets"])]
     for camera, sets in enumerate(instance["cameras"]):
@@ -30,7 +30,7 @@ def model(instance: dict, objective: str) -> tuple[cp_model.CpModel, cp_model.Li
 
 
 def objective_of(problem, covering, cameras: int, objective: str):
-    """The objective over the variables that cover each target."""
+    """Returns the objective as an expression of the variables that cover each target."""
     name, _, option = objective.partition(":")
     number = int(option.partition("=")[2] or 1)
     if name == "kmin":

@@ -1,6 +1,6 @@
-"""Draws wear.png from wear.csv: the score of cooperative over how often its cameras change their views, by hold.
+"""Draws wear.png from wear.csv: the score of cooperative against the rate at which cameras change views, by hold.
 
-With folders that `hificamsim compare` wrote for sites, one for each, it makes wear.csv anew: python wear.py OUT/campus OUT/hall ...
+With the folders of `hificamsim compare`, one for each site, it first rewrites wear.csv: python wear.py OUT/campus OUT/hall ...
 """
 
 import csv
@@ -21,7 +21,7 @@ def hold_of(policy):
 
 
 def means(folder):
-    """Mean score and rate of changes of a site, by hold."""
+    """Returns the mean score and the rate of view changes on a site, by hold."""
     values = {}
     with open(pathlib.Path(folder) / "metrics.csv", newline="", encoding="utf-8") as rows:
         for row in csv.DictReader(rows):
