@@ -12,7 +12,10 @@ import java.util.List;
 final class Accessibility {
   private static final String AXE = text("/axe.min.js");
 
-  /** Returns the serious and critical findings of axe-core: the rule and its first place. */
+  /**
+   * The script that returns the serious and critical findings of axe-core: the rule and its first
+   * place.
+   */
   private static final String SERIOUS =
       """
 const done = arguments[0];

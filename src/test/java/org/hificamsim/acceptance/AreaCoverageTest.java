@@ -10,7 +10,10 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Samples the share of the field within reach of a camera at its widest zoom (Table 7.1). */
+/**
+ * Tests the share of the field within reach of a camera at its widest zoom (Table 7.1), by
+ * sampling.
+ */
 class AreaCoverageTest {
   private static final int SAMPLES = 200_000;
 

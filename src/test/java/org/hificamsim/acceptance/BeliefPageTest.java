@@ -44,11 +44,11 @@ class BeliefPageTest {
     open();
     String note = browser.text(".agent .note");
     Matcher best =
-        Pattern.compile("Most: level \\d, \\S+: (\\S+); level \\d, \\S+: (\\S+); level .*")
-            .matcher(note.replaceFirst(".*(?=Most)", ""));
+        Pattern.compile("Largest: level \\d, \\S+: (\\S+); level \\d, \\S+: (\\S+); level .*")
+            .matcher(note.replaceFirst(".*(?=Largest)", ""));
     assertTrue(best.matches(), note);
     assertTrue(Double.parseDouble(best.group(1)) >= Double.parseDouble(best.group(2)), note);
-    assertTrue(note.contains("sent what it saw in one message, and in"), note);
+    assertTrue(note.contains("sent what it saw in one message, and what it chose in"), note);
     assertTrue(note.contains("all others received it"), note);
     Object without = browser.run(PIXELS);
     browser.find("[name=beliefs]").sendKeys(" ");

@@ -327,7 +327,7 @@ class BenchmarkEntryTest {
   }
 
   @Test
-  void wrongWordsAreRefused() {
+  void rejectsInvalidOptions() {
     for (List<String> words :
         List.of(
             List.of("--policy", "cooperative", "--tasks", "moon-v1"),

@@ -78,7 +78,7 @@ class BigNetworkTest {
   }
 
   @Test
-  void argumentsOutOfRangeAreRefused() {
+  void rejectsArgumentsOutOfRange() {
     refused("--cameras is 0", "generate", folder.resolve("x.xml"), "--cameras", 0);
     refused("--targets is 0", "generate", folder.resolve("x.xml"), "--targets", 0);
     refused("--area is NaN", "generate", folder.resolve("x.xml"), "--area", "NaN");

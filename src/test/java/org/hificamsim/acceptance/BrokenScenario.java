@@ -10,12 +10,12 @@ import java.nio.charset.StandardCharsets;
  * A scenario file with one fault, and the expected error.
  *
  * @param name a description of the fault
- * @param line of the fault, from 1
- * @param column of the fault, from 1
+ * @param line the line of the fault, from 1
+ * @param column the column of the fault, from 1
  * @param message the error message after the place
  */
 record BrokenScenario(String name, byte[] content, int line, int column, String message) {
-  /** Marks the place that the error must name. It is removed from the file. */
+  /** The mark of the place that the error must name, which is removed from the file. */
   private static final char MARK = '@';
 
   /** A valid scenario. */

@@ -24,8 +24,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Bad input, end to end: exit code 2, one line that names file, line, column, value and the
- * expectation, and no output.
+ * Tests that broken scenarios end commands with exit code 2 and one line, which names file, line,
+ * column, value and expectation, and write no output.
  */
 class BrokenScenarioTest {
   private static final String SECRET = "canary-7f3a91";
@@ -42,7 +42,7 @@ class BrokenScenarioTest {
   }
 
   @TestFactory
-  Stream<DynamicTest> rejectsEachInOneLineWithItsPlace() throws IOException {
+  Stream<DynamicTest> rejectsEachScenarioInOneLineWithPlaceOfFault() throws IOException {
     return all().stream()
         .map(broken -> DynamicTest.dynamicTest(broken.name(), () -> check(broken)));
   }
@@ -58,9 +58,9 @@ class BrokenScenarioTest {
   }
 
   @Test
-  void missingFileIsRefused() {
+  void rejectsMissingFile() {
     Path file = folder.resolve("no.xml");
-    assertRefused(file, file + ":1:1: no such file, expected a file");
+    assertRejected(file, file + ":1:1: no such file, expected a file");
   }
 
   @ParameterizedTest
@@ -69,23 +69,23 @@ class BrokenScenarioTest {
     "'(?s)<objects>.*</objects>|<events>.*</events>',"
         + " 'no <object>, no <tracks> and no event that adds one, expected at least one target'"
   })
-  void runOfSiteIsRefused(String missing, String message) throws IOException {
+  void rejectsRunOfSite(String missing, String message) throws IOException {
     Path file = folder.resolve("site.xml");
     Files.writeString(file, BrokenScenario.SOUND.replaceAll(missing, ""));
     Path out = folder.resolve("out");
-    Cli.run("run", file, "--out", out).assertRefused(message, out);
+    Cli.run("run", file, "--out", out).assertRejected(message, out);
     Cli validate = Cli.run("validate", file);
     assertEquals(0, validate.exit(), validate.err());
     assertTrue(validate.err().contains(message + " for a run; place "), validate.err());
   }
 
   @Test
-  void folderIsRefused() {
-    assertRefused(folder, folder + ":1:1: is a folder, expected a file");
+  void rejectsFolder() {
+    assertRejected(folder, folder + ":1:1: is a folder, expected a file");
   }
 
   @Test
-  void hundredMegabytesAreRefusedQuicklyWithLittleMemory() throws IOException {
+  void rejectsHundredMegabytesQuicklyWithLittleMemory() throws IOException {
     Path file = nested(100 * MEGABYTE);
     long bytes =
         assertTimeoutPreemptively(
@@ -93,20 +93,20 @@ class BrokenScenarioTest {
             () ->
                 AllocatedBytes.by(
                     () ->
-                        assertRefused(
+                        assertRejected(
                             file,
                             file + ":1:1: the file is too big, expected at most 67108864 bytes")));
     assertTrue(bytes < 64 * MEGABYTE, bytes + " bytes");
   }
 
   @Test
-  void deepNestingIsRefusedQuicklyWithLittleMemory() throws IOException {
+  void rejectsDeepNestingQuicklyWithLittleMemory() throws IOException {
     Path file = nested(60 * MEGABYTE);
     String message = ":1:97: <a> is nested too deep, expected at most 32 levels";
     long bytes =
         assertTimeoutPreemptively(
             Duration.ofSeconds(60),
-            () -> AllocatedBytes.by(() -> assertRefused(file, file + message)));
+            () -> AllocatedBytes.by(() -> assertRejected(file, file + message)));
     assertTrue(bytes < 800 * MEGABYTE, bytes + " bytes");
   }
 
@@ -117,10 +117,10 @@ class BrokenScenarioTest {
   private void check(BrokenScenario broken) throws IOException {
     Path file = Files.write(folder.resolve("broken.xml"), broken.content());
     String place = file + ":" + broken.line() + ":" + broken.column() + ": ";
-    assertRefused(file, place + broken.message());
+    assertRejected(file, place + broken.message());
   }
 
-  private void assertRefused(Path file, String message) {
+  private void assertRejected(Path file, String message) {
     Path out = folder.resolve("out");
     Cli run = Cli.run("run", file, "--out", out);
     assertEquals("error: " + message, last(run.err()));

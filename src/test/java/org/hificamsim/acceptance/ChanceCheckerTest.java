@@ -122,7 +122,10 @@ class ChanceCheckerTest {
     return Double.parseDouble(element.getAttribute(attribute));
   }
 
-  /** Columns: run, step, camera, level, radius, detected, pan, angle, moving; and target, x, y. */
+  /**
+   * Returns the chance for rows with the columns run, step, camera, level, radius, detected, pan,
+   * angle, moving; and target, x, y.
+   */
   private double chance(String[] row, String[] target) {
     Element camera = cameras.get(row[2]);
     double dx = Double.parseDouble(target[3]) - number(camera, "x");

@@ -24,7 +24,7 @@ class ChanceTest {
   @TempDir Path folder;
 
   @Test
-  void onlyChanceTellsDetectorsOfOneAbstractionApart() throws IOException {
+  void onlyChanceDistinguishesDetectorsOfOneAbstraction() throws IOException {
     for (String rule : List.of("threshold", "chance")) {
       String orb = steps("hifi:orb-lin", rule);
       boolean same = rule.equals("threshold");

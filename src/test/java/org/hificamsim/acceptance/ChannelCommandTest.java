@@ -121,8 +121,8 @@ class ChannelCommandTest {
   }
 
   @Test
-  void rejectsWrongChannelsInOneLine() {
-    Cli.assertRefuses(
+  void rejectsInvalidChannelsInOneLine() {
+    Cli.assertRejects(
         "--channel delay=soon",
         "channel: delay is 'soon', expected steps up to 10000, as 2, 1..5 or exponential:2",
         folder.resolve("refused"),

@@ -67,7 +67,7 @@ record Cli(int exit, String out, String err) {
   /**
    * Renders photos into a folder's {@code lab}, and returns it.
    *
-   * @param options of {@code profile lab}, between blanks
+   * @param options the options of {@code profile lab}, separated by blanks
    */
   static Path lab(Path folder, String options) {
     Path lab = folder.resolve("lab");
@@ -88,17 +88,17 @@ record Cli(int exit, String out, String err) {
   /**
    * Fails unless a command is rejected in one line with the expected text, and writes no folder.
    *
-   * @param options with blanks between
+   * @param options the options, separated by blanks
    * @param before the words before the options
    */
-  static void assertRefuses(String options, String expected, Path folder, Object... before) {
+  static void assertRejects(String options, String expected, Path folder, Object... before) {
     Stream<Object> words = Stream.concat(Stream.of(before), Stream.of("--out", folder));
     run(Stream.concat(words, Stream.of(options.strip().split(" "))).toArray())
-        .assertRefused(expected, folder);
+        .assertRejected(expected, folder);
   }
 
   /** Fails unless the command was rejected in one line with the expected text, without a folder. */
-  void assertRefused(String expected, Path folder) {
+  void assertRejected(String expected, Path folder) {
     assertEquals(2, exit, err);
     assertEquals(1, err.lines().count(), err);
     assertTrue(err.contains(expected), err);

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Tests what {@code compare} writes, which depends on the seeds alone. */
+/** Tests what {@code compare} writes, which depends only on the seeds. */
 class CompareCommandTest {
   private static final String JOURNAL = ".compare.journal";
 
@@ -122,7 +122,7 @@ class CompareCommandTest {
 
   /** Each camera chooses its last view, as zoom-out does. */
   @Test
-  void policyOfPythonFileIsRowAsAnyOther() throws Exception {
+  void comparesPolicyOfPythonFile() throws Exception {
     String python = PythonInterpreter.find().executable().toString();
     Process numpy = new ProcessBuilder(python, "-c", "import numpy").start();
     assumeTrue(numpy.waitFor() == 0, "'" + python + "' has no numpy");

@@ -287,7 +287,7 @@ class CompareStatisticsTest {
           {"fonts": 9} | :1:11: fonts is unknown, expected labels or colours
           {"labels": | the file ends too early
           """)
-  void rejectsWrongStyleFile(String text, String message) throws IOException {
+  void rejectsInvalidStyleFile(String text, String message) throws IOException {
     Path style = Files.writeString(folder.resolve("wrong.json"), text);
     assertRejected(message, "--style", style.toString());
   }

@@ -206,7 +206,7 @@ return context.getImageData(2, 2, 1, 1).data.join();
     assertEquals(0, cli.exit(), cli.err());
     browser.open(blind.resolve("report.html").toUri().toString());
     assertEquals("covered_k", browser.find("select[aria-label=metric]").getDomProperty("value"));
-    assertTrue(browser.text("section.card .notice").startsWith("All k_min are 0"));
+    assertTrue(browser.text("section.card .notice").startsWith("k_min is always 0"));
     open();
     assertEquals(
         "proportion_of_optimal", browser.find("select[aria-label=metric]").getDomProperty("value"));
@@ -282,7 +282,7 @@ return context.getImageData(2, 2, 1, 1).data.join();
     assertRowsByScore(cli.out());
   }
 
-  /** Within a detection, of one scenario. */
+  /** Asserts that the rows of one detection and scenario are sorted by score. */
   private static void assertRowsByScore(String table) {
     Map<String, Double> lastScores = new HashMap<>();
     Pattern row = Pattern.compile("(?m)^ring-random +(\\S+) +\\S+ +([0-9.]+) %");

@@ -192,7 +192,9 @@ class CrateTest {
     return entities;
   }
 
-  /** What is referred to but not there; addresses are elsewhere. */
+  /**
+   * Returns the files that the crate refers to but that are missing; web addresses do not count.
+   */
   private static Set<String> missing(Map<String, JsonNode> entities) {
     Set<String> all = new TreeSet<>();
     entities.values().forEach(entity -> entity.forEach(value -> all.addAll(references(value))));

@@ -204,7 +204,10 @@ class DetectionHintsTest {
     return Cli.run(words);
   }
 
-  /** Two cameras and two targets far apart, with radii of 1, 1.5 and 2 times the first. */
+  /**
+   * Writes a scenario of two cameras and two targets far apart, with radii of 1, 1.5 and 2 times
+   * the first.
+   */
   private Path carPark(double radius) throws IOException {
     String zooms = radius + " " + 1.5 * radius + " " + 2 * radius;
     String text =

@@ -21,7 +21,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** The map in {@code CONTRIBUTING.md} names what is there, and links lead somewhere. */
+/**
+ * Tests that the map in {@code CONTRIBUTING.md} names what exists, and that links lead somewhere.
+ */
 class DocumentationTest {
   private static final Pattern LINK = Pattern.compile("\\]\\((?!https?:)([^)#\\s]+)");
   private static final Pattern ANCHOR = Pattern.compile("\\]\\((?!https?:)([^)#\\s]*)#([^)\\s]+)");
@@ -96,7 +98,9 @@ class DocumentationTest {
     }
   }
 
-  /** By its name, or by the end of it, where the script puts a word after the beginning. */
+  /**
+   * The script names a picture in full, or by the end of its name if a variable has the beginning.
+   */
   @Test
   void oneScriptMakesEveryPicture() throws IOException {
     String script = Files.readString(Cli.ROOT.resolve("docs/make-figures"));
@@ -141,7 +145,7 @@ class DocumentationTest {
     }
   }
 
-  /** Every class with a file of its own, tests too. */
+  /** Returns every class that has its own file, including tests. */
   private static Set<String> classes() throws IOException {
     return sources().map(DocumentationTest::className).collect(toSet());
   }

@@ -70,7 +70,7 @@ class EmbeddingGuideTest {
     assertTrue(output.contains("0 tests failed"), output);
   }
 
-  /** What Gradle prints that builds with the published libraries. */
+  /** Returns the output of a Gradle build with the published libraries. */
   private static String gradle(Path folder, String... words) throws Exception {
     List<String> command = new ArrayList<>();
     command.add(Path.of(GRADLE_HOME, "bin", "gradle").toString());
@@ -86,7 +86,7 @@ class EmbeddingGuideTest {
     return output;
   }
 
-  /** What the command line makes of the same run. */
+  /** Returns the performance of the same run on the command line. */
   private static String performance(Path folder) throws IOException {
     Cli run =
         Cli.run(

@@ -28,7 +28,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Energy from files and commands, and recounted from what cameras did. */
+/** Tests energy as commands report it, by recounting it from what cameras did. */
 class EnergyTest {
   private static final Path RING = Cli.ROOT.resolve("scenarios/ring-random.xml");
   private static final EnergyModel MODEL =
@@ -141,7 +141,7 @@ class EnergyTest {
   }
 
   @Test
-  void runWithoutEnergyHasNoMetricOfIt() throws IOException {
+  void runWithoutEnergyProfileHasNoEnergyMetrics() throws IOException {
     Cli run = Cli.run("run", RING, "--steps", 10, "--out", folder.resolve("o"));
     assertEquals(0, run.exit(), run.err());
     assertFalse(Files.readString(folder.resolve("o/summary.json")).contains("energy_model"));
@@ -149,7 +149,7 @@ class EnergyTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"sense=-1mJ", "sense=NaNJ", "battery=0J", "nobody", "sense=1parsec"})
-  void rejectsBadProfilesInOneLine(String energy) {
+  void rejectsInvalidProfilesInOneLine(String energy) {
     Cli run = Cli.run("run", RING, "--energy", energy, "--steps", 10, "--out", folder.resolve("o"));
     assertEquals(2, run.exit());
     assertEquals(1, run.err().lines().count(), run.err());

@@ -19,8 +19,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The page of a run of each site, of two imports and of a site made at random, each as the scenario
- * asks for it. axe-core looks at a few of them; at all, light and dark, with PAGES=all in the
+ * Tests the page of a run of each site, of two imports and of a random site, each with the settings
+ * of its scenario. axe-core checks a few of them, and all, light and dark, with PAGES=all in the
  * environment.
  */
 class EveryPageTest {

@@ -18,7 +18,7 @@ import javax.tools.ToolProvider;
 /**
  * An extension in {@code examples/}, compiled and packed into a jar as its author would do it.
  *
- * @param jar with the classes and the service file
+ * @param jar the jar with the classes and the service file
  */
 record Example(Path jar) {
   /** Compiles {@code examples/NAME/src}. */

@@ -2,7 +2,7 @@ package org.hificamsim.acceptance;
 
 /** Scripts that query the field on a page; their arguments are a place in metres. */
 final class FieldScripts {
-  /** Returns the colour of the field at a place. */
+  /** The script that returns the colour of the field at a place. */
   static final String COLOUR =
       """
 const {map, surface} = (hificamsim.player ?? hificamsim.players[0]).field;
@@ -10,7 +10,7 @@ const at = [map.x(arguments[0]), map.y(arguments[1])].map(pixel => Math.round(pi
 return [...surface.canvas.getContext('2d').getImageData(...at, 1, 1).data].join();
 """;
 
-  /** Returns the tooltip at a place. */
+  /** The script that returns the tooltip at a place. */
   static final String TOOLTIP =
       """
 const {field} = hificamsim.player, {map, surface: {canvas}} = field, box = canvas.getBoundingClientRect();

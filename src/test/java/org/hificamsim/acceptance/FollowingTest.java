@@ -79,7 +79,7 @@ class FollowingTest {
     assertEquals(
         true,
         browser.run(
-            "const strip = hificamsim.player.timeline.lives;"
+            "const strip = hificamsim.player.timeline.holders;"
                 + "return hificamsim.run.holders.every((list, target) => list.every((holder, i) =>"
                 + " strip.describe(target, i).includes(holder < 0 ? 'no camera covers it' :"
                 + " hificamsim.run.setup.cameras[holder].name + ' has it')))"));
@@ -97,13 +97,13 @@ class FollowingTest {
   }
 
   @Test
-  void identitySwitchesAreOfPoliciesWithTracksAlone() throws IOException {
+  void onlyPoliciesWithTracksHaveIdentitySwitches() throws IOException {
     JsonNode summary = summary("--policy", "cooperative", "--following", "targets");
     assertFalse(summary.has("identity_switches"), summary.toString());
   }
 
   @Test
-  void runWithoutFollowingHasNoMetricOfIt() throws IOException {
+  void runWithoutFollowingHasNoFollowingMetrics() throws IOException {
     String summary = summary("--policy", "cooperative:identity=none").toString();
     for (String word : new String[] {"following", "unbroken", "handovers", "identity_switches"}) {
       assertFalse(summary.contains(word), word);
@@ -173,7 +173,7 @@ class FollowingTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"0", "-1", "1.5", "x", "many"})
-  void wrongBudgetsAreRefusedInOneLine(String budget) throws IOException {
+  void rejectsInvalidBudgetsInOneLine(String budget) throws IOException {
     assertRejected("--processing", budget);
     Path scenario = folder.resolve("budget.xml");
     String text = Files.readString(RING);
@@ -186,7 +186,7 @@ class FollowingTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"on", "", "Targets"})
-  void unknownFollowingIsRefusedInOneLine(String following) {
+  void rejectsUnknownFollowingInOneLine(String following) {
     assertRejected("--following", following);
   }
 

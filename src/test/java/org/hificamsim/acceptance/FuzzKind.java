@@ -29,7 +29,7 @@ import org.hificamsim.core.file.Sha256;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.measure.MeasurementsFile;
 
-/** A kind of user input: has valid files to break, and reads a broken one. */
+/** A kind of user input, with valid files to break, and a reader of the broken ones. */
 enum FuzzKind {
   SCENARIO {
     @Override
@@ -47,7 +47,7 @@ enum FuzzKind {
   MEASUREMENTS {
     @Override
     Cli read(Path file) {
-      return told(() -> MeasurementsFile.read(file));
+      return answerTo(() -> MeasurementsFile.read(file));
     }
   },
   DATASET {
@@ -249,7 +249,7 @@ enum FuzzKind {
     }
   }
 
-  /** Whether messages must tell line and column. */
+  /** Whether messages must name line and column. */
   final boolean hasPlaces() {
     return !Set.of(COMMAND, JOURNAL, SHARD, RESULTS, PHOTO, ONNX, SQLITE).contains(this);
   }
@@ -288,7 +288,7 @@ enum FuzzKind {
     return run("run", scenario, "--detection", detection, "--steps", 3, "--out", OUT);
   }
 
-  private static Cli told(Runnable reading) {
+  private static Cli answerTo(Runnable reading) {
     try {
       reading.run();
       return new Cli(0, "", "");

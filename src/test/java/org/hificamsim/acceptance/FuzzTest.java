@@ -12,9 +12,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Broken files and commands are accepted, or rejected in error lines with the place and
- * expectation: no exception, no stack trace, and unchanged inputs. The cases are the same each
- * time, in addition to the corpus; {@code gradle fuzz} tries any number of new ones ({@link Fuzz}).
+ * Tests that broken files and commands are accepted, or rejected in error lines with the place and
+ * expectation, without a stack trace and without changing inputs. The cases are the same each time,
+ * in addition to the corpus; {@code gradle fuzz} tries any number of new ones ({@link Fuzz}).
  */
 class FuzzTest {
   @ParameterizedTest

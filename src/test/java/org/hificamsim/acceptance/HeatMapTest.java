@@ -124,7 +124,7 @@ class HeatMapTest {
     choose("mean-k");
     String[] row = table().get(12 * 60 + 22); // of the cell of half a metre from (11, 6) on
     String tooltip = (String) browser.run(FieldScripts.TOOLTIP, 11.3, 6.3);
-    assertTrue(tooltip.startsWith(rounded(row[6]) + " cameras in the mean, none in "), tooltip);
+    assertTrue(tooltip.startsWith(rounded(row[6]) + " cameras on average, none in "), tooltip);
     assertEquals(
         "in an obstacle",
         browser
@@ -290,7 +290,7 @@ class HeatMapTest {
             + " to 200",
         "run SCENARIO --out FILE --heatmap --cells 201 | --cells is 201, expected",
       })
-  void wrongWordsAreRefusedInOneLine(String words, String expected) {
+  void rejectsInvalidOptionsInOneLine(String words, String expected) {
     Path file = folder.resolve("refused");
     Map<String, Object> paths = Map.of("RUN", run, "FILE", file, "SCENARIO", scenario);
     Cli cli =
@@ -298,18 +298,18 @@ class HeatMapTest {
             Stream.of(words.strip().split(" "))
                 .map(word -> paths.getOrDefault(word, word))
                 .toArray());
-    cli.assertRefused(expected, file);
+    cli.assertRejected(expected, file);
   }
 
   @Test
-  void folderWithoutMapIsRefused() throws IOException {
+  void rejectsFolderWithoutMap() throws IOException {
     Path other = folder.resolve("other");
     done("run", Cli.scenario("ring-random"), "--record", "--steps", 5, "--out", other);
     Cli cli = Cli.run("report", other, "--png", folder.resolve("x.png"), "--heatmap", "visits");
-    cli.assertRefused("run --record --heatmap", folder.resolve("x.png"));
+    cli.assertRejected("run --record --heatmap", folder.resolve("x.png"));
     Files.copy(run.resolve("heatmap.csv"), other.resolve("heatmap.csv"));
     Cli foreign = Cli.run("report", other, "--out", folder.resolve("x.html"));
-    foreign.assertRefused("heatmap.csv:2:5: x is 0.25, expected", folder.resolve("x.html"));
+    foreign.assertRejected("heatmap.csv:2:5: x is 0.25, expected", folder.resolve("x.html"));
   }
 
   private static void open() {

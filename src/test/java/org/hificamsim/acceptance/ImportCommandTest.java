@@ -202,28 +202,28 @@ class ImportCommandTest {
   }
 
   @Test
-  void rejectsWrongOptionsInOneLine() {
-    imported("--gap", "-1").assertRefused("--gap is -1.0, expected a number above 0", out);
-    imported("--size", "0x1").assertRefused("--size is '0x1', expected metres above 0", out);
-    imported("--unit", "ft").assertRefused("--unit is 'ft', expected one of m, cm, mm, px", out);
-    imported("--unit", "cm").assertRefused("--unit is cm, expected m or none", out);
+  void rejectsInvalidOptionsInOneLine() {
+    imported("--gap", "-1").assertRejected("--gap is -1.0, expected a number above 0", out);
+    imported("--size", "0x1").assertRejected("--size is '0x1', expected metres above 0", out);
+    imported("--unit", "ft").assertRejected("--unit is 'ft', expected one of m, cm, mm, px", out);
+    imported("--unit", "cm").assertRejected("--unit is cm, expected m or none", out);
     imported("--floorplan", recording)
-        .assertRefused("people.txt: a picture without --scale M, expected how", out);
-    imported("--cameras", 0).assertRefused("--cameras is 0, expected a whole number", out);
-    imported("--name", "a/b").assertRefused("--name is 'a/b', expected letters", out);
-    imported("--from", 9, "--to", 1).assertRefused("--to is 1.0, expected a number from 9.0", out);
-    imported("--walls", recording).assertRefused("expected walls in a file that ends in", out);
+        .assertRejected("people.txt: a picture without --scale M, expected how", out);
+    imported("--cameras", 0).assertRejected("--cameras is 0, expected a whole number", out);
+    imported("--name", "a/b").assertRejected("--name is 'a/b', expected letters", out);
+    imported("--from", 9, "--to", 1).assertRejected("--to is 1.0, expected a number from 9.0", out);
+    imported("--walls", recording).assertRejected("expected walls in a file that ends in", out);
     imported("--at", "1;2", "--scale", 1, "--walls", "w.svg")
-        .assertRefused("--at is '1;2', expected two numbers", out);
+        .assertRejected("--at is '1;2', expected two numbers", out);
     imported("--homography", recording)
-        .assertRefused("expected a matrix of three rows of three numbers", out);
-    imported("--origin", "95,1").assertRefused("--origin is 95.0", out);
+        .assertRejected("expected a matrix of three rows of three numbers", out);
+    imported("--origin", "95,1").assertRejected("--origin is 95.0", out);
     Cli.run("import", recording, "--format", "obsmatt", "--out", out)
-        .assertRefused("unknown format 'obsmatt', expected one of obsmat", out);
+        .assertRejected("unknown format 'obsmatt', expected one of obsmat", out);
     Cli.run("import", recording, "--format", "ethucy", "--out", out)
-        .assertRefused("people.txt: expected --rate R, the frames per second", out);
+        .assertRejected("people.txt: expected --rate R, the frames per second", out);
     Cli.run("import", folder.resolve("none"), "--format", "fcd", "--out", out)
-        .assertRefused("none:1:1: no such file, expected a file", out);
+        .assertRejected("none:1:1: no such file, expected a file", out);
   }
 
   @Test

@@ -242,7 +242,7 @@ class LadderCommandTest {
       })
   void rejectsWrongUsageInOneLine(String options, String expected) {
     Path nowhere = folder.resolve("nowhere");
-    Cli.assertRefuses(options, expected, nowhere, "ladder", Cli.scenario("ring-random"));
+    Cli.assertRejects(options, expected, nowhere, "ladder", Cli.scenario("ring-random"));
   }
 
   /** Returns Kendall's tau-b, by its definition over all pairs. */

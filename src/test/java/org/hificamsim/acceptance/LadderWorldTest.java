@@ -151,7 +151,7 @@ class LadderWorldTest {
       })
   void rejectsWrongUsageInOneLine(String options, String expected) {
     Path nowhere = folder.resolve("nowhere");
-    Cli.assertRefuses(options, expected, nowhere, "ladder", Cli.scenario("hall"));
+    Cli.assertRejects(options, expected, nowhere, "ladder", Cli.scenario("hall"));
   }
 
   private static double[] means(String rung) {

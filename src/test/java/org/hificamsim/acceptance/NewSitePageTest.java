@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.openqa.selenium.WebElement;
 
-/** A site that begins with a floor plan in {@code view --new}. */
+/** Tests {@code view --new}, where a site begins with a floor plan. */
 class NewSitePageTest {
   private static final String SETUP = "return hificamsim.runs[0].setup.";
 

@@ -340,14 +340,14 @@ class OutputSafetyTest {
   void namesPlaceOfDamagedInput() throws IOException {
     Cli.run("run", SCENARIO, "--steps", 3, "--record", "--out", folder);
     Files.write(folder.resolve("steps.csv"), new byte[] {(byte) 255}, StandardOpenOption.APPEND);
-    Cli.run("report", folder).assertRefused("steps.csv:5:1: ", folder.resolve("none"));
+    Cli.run("report", folder).assertRejected("steps.csv:5:1: ", folder.resolve("none"));
     Path street = folder.resolve("street.xml");
     String text = Files.readString(Cli.scenario("street"));
     Files.writeString(street, text.replaceFirst(" step=\"[0-9.]+\"", " step=\"1e-20\""));
     Files.copy(
         Cli.scenario("street").resolveSibling("street.tracks"), folder.resolve("street.tracks"));
     Cli far = Cli.run("run", street, "--out", folder.resolve("none"));
-    far.assertRefused("expected one below 2147483647: a longer step", folder.resolve("none"));
+    far.assertRejected("expected one below 2147483647: a longer step", folder.resolve("none"));
   }
 
   @Test

@@ -24,7 +24,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Compiles and runs the policy of {@code examples/own-policy} as its author would. */
+/**
+ * Tests that the policy of {@code examples/own-policy} compiles and runs as its author would do it.
+ */
 class OwnPolicyTest {
   @TempDir static Path folder;
 

@@ -103,7 +103,7 @@ class PicturesTest {
         "--png FILE --width 5 | --width is 5, expected a whole number from 200 to 8000",
         "--gif FILE --per-second 0 | --per-second is 0, expected a whole number from 1 to 50",
       })
-  void reportsWrongNumbersInOneLine(String options, String expected) {
+  void reportsInvalidNumbersInOneLine(String options, String expected) {
     Path file = folder.resolve("picture");
     Object[] words =
         Stream.concat(

@@ -11,10 +11,10 @@ import java.util.Arrays;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 
-/** Tests {@code place}: plans, their check, instances, and errors. */
+/** Tests {@code place}: plans, their verification, instances, and errors. */
 class PlaceCommandTest extends RoomsTest {
   @Test
-  void plansRunAndPassTheCheck() throws IOException {
+  void makesPlansThatRunAndPassVerification() throws IOException {
     Path site = site(WALL, DOOR + "<zone name=\"all\" shape=\"field\"/>");
     for (String words :
         new String[] {
@@ -49,11 +49,11 @@ class PlaceCommandTest extends RoomsTest {
     Cli checked = Cli.run("place", "--verify", plan);
     assertEquals(0, checked.exit(), checked.err());
     assertTrue(checked.out().contains("the bound is not checked"), checked.out());
-    refusesWith(plan, "summary.json", "\"share\" : ", "\"share\" : 2", "share is");
+    assertRejectedAfterEdit(plan, "summary.json", "\"share\" : ", "\"share\" : 2", "share is");
   }
 
   @Test
-  void looksFromPlacesAllOverTheSiteIfTimeIsShort() throws IOException {
+  void candidatesAreSpreadOverSiteIfTimeIsShort() throws IOException {
     Path plan = folder.resolve("plan");
     String words =
         " --cameras 2 --candidates every=1 --threads 1 --time 0.001 --write-candidates --out ";
@@ -95,7 +95,7 @@ class PlaceCommandTest extends RoomsTest {
   }
 
   @Test
-  void newCamerasHangAndTiltOnSitesWithHeights() throws IOException {
+  void mountsAndTiltsNewCamerasOnSitesWithHeights() throws IOException {
     Path site = site(WALL.replace("/>", " height=\"1.2\"/>"), "");
     Path plan = folder.resolve("plan");
     Cli placed = place(site, "--cameras 3 --reading fixed --out " + plan);
@@ -112,7 +112,7 @@ class PlaceCommandTest extends RoomsTest {
   }
 
   @Test
-  void plansOfTheSitesLensesPassTheCheck() throws IOException {
+  void makesPlansOfLensesOfSiteThatPassVerification() throws IOException {
     for (String words :
         new String[] {
           "mate-4v8-9 --reading fixed", "warehouse-heights", "warehouse-heights --reading any"
@@ -170,19 +170,20 @@ class PlaceCommandTest extends RoomsTest {
   }
 
   @Test
-  void checkRejectsChangedFiles() throws IOException {
+  void verificationRejectsChangedFiles() throws IOException {
     Path plan = folder.resolve("plan");
     place(site(WALL, ""), "--cameras 3 --write-candidates --out " + plan);
-    refusesWith(
+    assertRejectedAfterEdit(
         plan, "plan.xml", "heading=\"", "heading=\"1", "as a run|cover it in a run|expected");
-    refusesWith(plan, "summary.json", "\"share\" : ", "\"share\" : 2", "share is");
-    refusesWith(plan, "summary.json", "\"bound\" : ", "\"bound\" : 0.0, \"x\" : ", "bound is");
-    refusesWith(plan, "samples.csv", "field,", "wood,", "zone is 'wood'");
+    assertRejectedAfterEdit(plan, "summary.json", "\"share\" : ", "\"share\" : 2", "share is");
+    assertRejectedAfterEdit(
+        plan, "summary.json", "\"bound\" : ", "\"bound\" : 0.0, \"x\" : ", "bound is");
+    assertRejectedAfterEdit(plan, "samples.csv", "field,", "wood,", "zone is 'wood'");
   }
 
   /**
-   * The zone covers 37 degrees around a heading of 52.5, too far away for the wide lens. The narrow
-   * one, 40 degrees wide, misses a part of it at the candidates' headings of 45 and 60.
+   * The zone spans 37 degrees around a heading of 52.5 and is too far away for the wide lens. The
+   * narrow lens, 40 degrees wide, misses a part of it at the candidates' headings of 45 and 60.
    */
   @Test
   void refinementFindsHeadingsBetweenCandidates() throws IOException {
@@ -215,11 +216,15 @@ class PlaceCommandTest extends RoomsTest {
     Cli checked = Cli.run("place", "--verify", plan);
     assertEquals(0, checked.exit(), checked.err());
     assertTrue(checked.out().contains("holds"), checked.out());
-    refusesWith(plan, "plan.xml", "heading=\"", "heading=\"1", "cover it in a run|expected");
-    refusesWith(plan, "summary.json", "\"share_unrefined\" : 0", "\"share_unrefined\" : 1", "is 1");
-    refusesWith(plan, "summary.json", "\"unrefined\" : [", "\"unrefined\" : [ 99999, ", "lens of");
-    refusesWith(plan, "summary.json", "\"unrefined\"", "\"un\"", "score is");
-    refusesWith(plan, "summary.json", "\"bound\" : ", "\"bound\" : 0.0, \"x\" : ", "bound is");
+    assertRejectedAfterEdit(
+        plan, "plan.xml", "heading=\"", "heading=\"1", "cover it in a run|expected");
+    assertRejectedAfterEdit(
+        plan, "summary.json", "\"share_unrefined\" : 0", "\"share_unrefined\" : 1", "is 1");
+    assertRejectedAfterEdit(
+        plan, "summary.json", "\"unrefined\" : [", "\"unrefined\" : [ 99999, ", "lens of");
+    assertRejectedAfterEdit(plan, "summary.json", "\"unrefined\"", "\"un\"", "score is");
+    assertRejectedAfterEdit(
+        plan, "summary.json", "\"bound\" : ", "\"bound\" : 0.0, \"x\" : ", "bound is");
   }
 
   @Test
@@ -249,8 +254,8 @@ class PlaceCommandTest extends RoomsTest {
     return Cli.run((Object[]) ("place " + site + " " + words).split(" "));
   }
 
-  private void refusesWith(Path plan, String file, String old, String broken, String message)
-      throws IOException {
+  private void assertRejectedAfterEdit(
+      Path plan, String file, String old, String broken, String message) throws IOException {
     Path path = plan.resolve(file);
     String text = Files.readString(path);
     assertTrue(text.contains(old), file);
@@ -287,34 +292,35 @@ class PlaceCommandTest extends RoomsTest {
   @Test
   void reportsEachErrorInOneLine() throws IOException {
     Path plain = site("", "");
-    refuses(plain, "", "expected one of --cameras N, --budget EUR and --cover");
-    refuses(plain, "--cameras 0", "--cameras is 0");
-    refuses(plain, "--evaluate " + plain, "expected no site, instance or goal");
-    refuses(Path.of("--evaluate"), plain + " --cover", "expected no site, instance or goal");
-    refuses(Path.of("--compare"), plain + " " + folder.resolve("none.xml"), "none.xml");
-    refuses(plain, "--cover --refine", "--refine is for a site with --cameras N or --budget EUR");
-    refuses(plain, "--budget 2", "the price of the cheapest camera");
-    refuses(plain, "--cameras 1 --keep C", "no camera 'C'");
-    refuses(plain, "--cameras 1 --forbid yard", "no zone 'yard'");
+    assertRejected(plain, "", "expected one of --cameras N, --budget EUR and --cover");
+    assertRejected(plain, "--cameras 0", "--cameras is 0");
+    assertRejected(plain, "--evaluate " + plain, "expected no site, instance or goal");
+    assertRejected(Path.of("--evaluate"), plain + " --cover", "expected no site, instance or goal");
+    assertRejected(Path.of("--compare"), plain + " " + folder.resolve("none.xml"), "none.xml");
+    assertRejected(
+        plain, "--cover --refine", "--refine is for a site with --cameras N or --budget EUR");
+    assertRejected(plain, "--budget 2", "the price of the cheapest camera");
+    assertRejected(plain, "--cameras 1 --keep C", "no camera 'C'");
+    assertRejected(plain, "--cameras 1 --forbid yard", "no zone 'yard'");
     Path table =
         Files.writeString(folder.resolve("c.csv"), "name,resolution,hfov,price\na,1920,60,dear\n");
-    refuses(plain, "--cameras 1 --catalogue " + table, "c.csv:2:11: price is 'dear'");
+    assertRejected(plain, "--cameras 1 --catalogue " + table, "c.csv:2:11: price is 'dear'");
     Path far = site(WALL, DOOR);
     Files.writeString(folder.resolve("p.csv"), "x,y\n15,15\n");
-    refuses(
+    assertRejected(
         far,
         "--cameras 1 --candidates " + folder.resolve("p.csv"),
         "zone 'door' is seen from none of 1 places: walls are in between");
     Path low = site(WALL, DOOR.replace("1,1 6,6", "14.6,14.6 15.4,15.4"));
     String text = Files.readString(low);
     Files.writeString(low, text.replace("<camera name=\"A\"", "<camera name=\"A\" z=\"9\""));
-    refuses(
+    assertRejected(
         low,
         "--cameras 1 --candidates " + folder.resolve("p.csv"),
         "zone 'door' is seen from none of 1 places: it is above or below all views");
-    refuses(site("", DOOR.replace("identify", "identify@2")), "--cameras 1", "threshold");
-    refuses(site("", DOOR.replace("6,6", "60,6")), "--cameras 1", "rooms.xml:");
-    refuses(site("", DOOR + DOOR), "--cameras 1", "a name that no other zone has");
+    assertRejected(site("", DOOR.replace("identify", "identify@2")), "--cameras 1", "threshold");
+    assertRejected(site("", DOOR.replace("6,6", "60,6")), "--cameras 1", "rooms.xml:");
+    assertRejected(site("", DOOR + DOOR), "--cameras 1", "a name that no other zone has");
     Path broken = Files.writeString(folder.resolve("scp.txt"), "3 4\n1 1 1 3\n2 1 9\n");
     Cli refused = Cli.run("place", "--instance", broken);
     assertTrue(refused.err().contains("scp.txt:3:5: '9', expected a candidate"), refused.err());

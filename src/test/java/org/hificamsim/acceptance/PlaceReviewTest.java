@@ -11,7 +11,7 @@ import java.util.List;
 import org.hificamsim.core.Texts;
 import org.junit.jupiter.api.Test;
 
-/** Plans that are evaluated, edited, compared and kept. */
+/** Tests {@code place} on plans that exist: it evaluates, compares and keeps them. */
 class PlaceReviewTest extends RoomsTest {
   @Test
   void evaluationAgreesWithPlan() throws IOException {
@@ -32,7 +32,7 @@ class PlaceReviewTest extends RoomsTest {
   }
 
   @Test
-  void editedPlanHasDocumentsOfItsOwn() throws IOException {
+  void writesDocumentsOfEditedPlan() throws IOException {
     Path plan = folder.resolve("plan");
     place(site(WALL, DOOR), "--cameras 2 --out " + plan);
     Path edited = folder.resolve("edited.xml");
@@ -95,7 +95,7 @@ class PlaceReviewTest extends RoomsTest {
   }
 
   @Test
-  void documentNamesFacesAndCommandAsTheyWereAskedFor() throws IOException {
+  void documentStatesFacesAndCommand() throws IOException {
     Path site = site("", DOOR.replace("/>", " facing=\"-90\"/>"));
     Path plan = folder.resolve("faces");
     Cli placed =
@@ -121,11 +121,11 @@ class PlaceReviewTest extends RoomsTest {
     Path wrong = folder.resolve("wrong.xml");
     String text = Files.readString(plan.resolve("plan.xml"));
     Files.writeString(wrong, text.replaceAll(" price=\"[0-9.]+\"", " price=\"-1\""));
-    refuses(wrong, "--cover", "price is '-1', expected a number from 0 to 1e9");
+    assertRejected(wrong, "--cover", "price is '-1', expected a number from 0 to 1e9");
   }
 
   @Test
-  void saysWhyLevelsAreNotDrawn() throws IOException {
+  void explainsWhyLevelsAreNotDrawn() throws IOException {
     String second =
         DOOR.replace("door", "shelf").replace("dori-2014:level=identify", "oodpcvs-2025");
     Cli mixed = place(site("", DOOR + second), "--cameras 2 --out " + folder.resolve("mixed"));

@@ -42,7 +42,7 @@ class PlanPageTest {
   }
 
   @Test
-  void pageShowsTheTablesAtAllWidths() throws IOException {
+  void showsTablesAtAllWidths() throws IOException {
     Browser browser = Browser.shared();
     browser.open(plan.resolve("index.html").toUri().toString());
     String text = browser.text("main");
@@ -58,7 +58,7 @@ class PlanPageTest {
   }
 
   @Test
-  void pdfHasItsTablesAsTextInEmbeddedFonts() throws IOException {
+  void writesTablesOfPdfAsTextInEmbeddedFonts() throws IOException {
     try (PDDocument pdf = Loader.loadPDF(plan.resolve("plan.pdf").toFile())) {
       String text = new PDFTextStripper().getText(pdf);
       for (String row : Files.readAllLines(plan.resolve("cameras.csv")).subList(1, 4)) {
@@ -88,7 +88,7 @@ class PlanPageTest {
   }
 
   @Test
-  void orderAddsUpToThePriceOfThePlan() throws IOException {
+  void pricesOfOrderAddUpToPriceOfPlan() throws IOException {
     double total = 0;
     for (String row : Files.readAllLines(plan.resolve("order.csv"))) {
       String[] cells = row.split(",");

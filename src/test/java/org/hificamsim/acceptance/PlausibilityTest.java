@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Tests how {@code import} acts on signs that walls were read wrongly. */
+/** Tests that {@code import} notices walls that it has probably read wrongly. */
 class PlausibilityTest {
   private static final Path CASES = Cli.ROOT.resolve("src/test/resources/cases");
 
@@ -22,7 +22,7 @@ class PlausibilityTest {
   private Path out;
 
   @BeforeEach
-  void name() {
+  void setOutputFolder() {
     out = folder.resolve("out");
   }
 
@@ -38,14 +38,15 @@ class PlausibilityTest {
     return imported(files.resolve("people.txt"), files.resolve(walls), more);
   }
 
-  private Path written(String name, String text) throws IOException {
+  private Path write(String name, String text) throws IOException {
     return Files.writeString(folder.resolve(name), text);
   }
 
   @Test
-  void offersWalkableForSolidAroundSamples() {
+  void rejectsSolidThatContainsAllSamples() {
     importedCase("walkable-wkt", "room.wkt")
-        .assertRefused("holds 100 % of the samples: it is probably the area that people walk", out);
+        .assertRejected(
+            "holds 100 % of the samples: it is probably the area that people walk", out);
     Cli forced = importedCase("walkable-wkt", "room.wkt", "--force-reading");
     assertEquals(0, forced.exit(), forced.err());
     assertTrue(forced.err().startsWith("warning: a solid of the walls holds"), forced.err());
@@ -71,24 +72,24 @@ class PlausibilityTest {
   }
 
   @Test
-  void refusesWallsThroughEveryWay() throws IOException {
+  void rejectsWallsThatEveryTrackCrosses() throws IOException {
     Path people =
-        written(
+        write(
             "people.txt",
             "# framerate: 1\n# id frame x/m y/m\n1 0 1 2\n1 1 9 2\n2 0 1 3\n2 1 9 3\n");
-    Path wall = written("walls.wkt", "LINESTRING (500 0, 500 900)");
+    Path wall = write("walls.wkt", "LINESTRING (500 0, 500 900)");
     imported(people, wall, "--walls-unit", "cm")
-        .assertRefused("expected another --walls-unit, --scale or --at, or --force-reading", out);
+        .assertRejected("expected another --walls-unit, --scale or --at, or --force-reading", out);
     assertEquals(0, imported(people, wall).exit());
   }
 
   @Test
-  void acceptsOneWayThroughWall() throws IOException {
+  void acceptsWallThatOneTrackCrosses() throws IOException {
     Path people =
-        written(
+        write(
             "people.txt",
             "# framerate: 1\n# id frame x/m y/m\n1 0 1 2\n1 1 9 2\n2 0 1 3\n2 1 2 3\n");
-    Cli imported = imported(people, written("walls.wkt", "LINESTRING (5 0, 5 9)"));
+    Cli imported = imported(people, write("walls.wkt", "LINESTRING (5 0, 5 9)"));
     assertEquals(0, imported.exit(), imported.err());
     assertTrue(imported.out().contains("odd: through a wall: once"), imported::out);
   }
@@ -116,12 +117,12 @@ class PlausibilityTest {
   }
 
   @Test
-  void saysThatDraftCamerasSeeNobody() throws IOException {
+  void warnsIfDraftCamerasSeeNobody() throws IOException {
     Path people =
-        written(
+        write(
             "people.txt", "# framerate: 1\n# id frame x/m y/m\n1 0 10 10\n1 1 10.1 10\n2 0 0 0\n");
     Path cell =
-        written(
+        write(
             "cell.wkt",
             "LINESTRING (9.9 9.9, 10.2 9.9, 10.2 10.1, 9.9 10.1, 9.9 9.9) "
                 + "LINESTRING (-0.1 -0.1, 0.1 -0.1, 0.1 0.1, -0.1 0.1, -0.1 -0.1)");

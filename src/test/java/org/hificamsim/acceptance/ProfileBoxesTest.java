@@ -21,7 +21,10 @@ class ProfileBoxesTest {
   private Path detections;
 
   /**
-   * Writes people who cross the picture, and a detector that finds large ones who are not hidden.
+   * Writes labels of people who cross the picture, and detections of them.
+   *
+   * @param findsByChance whether the detector finds people with equal chance, or else large ones
+   *     more often
    */
   private void record(boolean findsByChance) throws IOException {
     Random random = new Random(56);
@@ -106,7 +109,7 @@ class ProfileBoxesTest {
   }
 
   @Test
-  void placesCamerasAsIfNobodyHidAnybody() throws IOException {
+  void ignoresOcclusionWhenPlacingCameras() throws IOException {
     Cli placed =
         assertDone(
             Cli.run(
@@ -124,7 +127,7 @@ class ProfileBoxesTest {
   }
 
   @Test
-  void refusesDetectorOfChanceByName() throws IOException {
+  void rejectsDetectorThatFindsByChance() throws IOException {
     record(true);
     Path out = folder.resolve("out");
     Cli refused = Cli.run("profile", "boxes", labels, detections, "--out", out, "--name", "random");
@@ -135,11 +138,11 @@ class ProfileBoxesTest {
   }
 
   @Test
-  void messageNamesFault() throws IOException {
+  void rejectsInvalidArguments() throws IOException {
     record(false);
-    assertRefused("pairs", "profile", "boxes", labels, detections, labels);
-    assertRefused("--overlap", "profile", "boxes", labels, detections, "--overlap", 2);
-    assertRefused(
+    assertRejected("pairs", "profile", "boxes", labels, detections, labels);
+    assertRejected("--overlap", "profile", "boxes", labels, detections, "--overlap", 2);
+    assertRejected(
         "expected a model that profile boxes",
         "profile",
         "boxes",
@@ -149,7 +152,7 @@ class ProfileBoxesTest {
         "hifi:orb-lin");
   }
 
-  private static void assertRefused(String expected, Object... words) {
+  private static void assertRejected(String expected, Object... words) {
     Cli refused = Cli.run(words);
     assertEquals(2, refused.exit(), refused.out());
     assertTrue(refused.err().contains(expected), refused.err());

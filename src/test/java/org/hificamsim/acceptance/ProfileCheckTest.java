@@ -20,12 +20,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Tests {@code profile check} on a synthetic recording: a level camera two metres above the ground
- * that looks along y, with a focal length of 800 pixels, and people of 1.75 x 0.5 m whose boxes are
- * 4 % too small.
+ * Tests {@code profile check} on a synthetic recording. Its camera is level, two metres above the
+ * ground, looks along y and has a focal length of 800 pixels; the boxes of its people, of 1.75 x
+ * 0.5 m, are 4 % too small.
  */
 class ProfileCheckTest {
-  private static final double SMALLER = 1 / 1.04;
+  private static final double SCALE_OF_BOXES = 1 / 1.04;
 
   @TempDir Path folder;
   private Path boxes;
@@ -65,8 +65,8 @@ class ProfileCheckTest {
       double y = 8 + i * 0.5;
       double u = 800 + 800 * x / y;
       double v = 600 + 800 * 2 / y;
-      double height = 800 * 1.75 / y * SMALLER;
-      double width = 800 * 0.5 / y * SMALLER;
+      double height = 800 * 1.75 / y * SCALE_OF_BOXES;
+      double width = 800 * 0.5 / y * SCALE_OF_BOXES;
       rows.add(
           String.format(
               Locale.ROOT,
@@ -193,14 +193,14 @@ class ProfileCheckTest {
             folder.resolve("none.xml"));
     Object[] options =
         Stream.of(words.strip().split(" ")).map(word -> paths.getOrDefault(word, word)).toArray();
-    check(options).assertRefused(expected, folder.resolve("out"));
+    check(options).assertRejected(expected, folder.resolve("out"));
   }
 
   @Test
   void rejectsRecordingWithAllBoxesAboveHorizon() throws IOException {
     Files.writeString(boxes, "1,1,700,100,50,180,1,-1,-1,-1\n");
     check("--calibration", xml)
-        .assertRefused("1 without a place on the ground", folder.resolve("out"));
+        .assertRejected("1 without a place on the ground", folder.resolve("out"));
   }
 
   private String[] row(String rung, String quantity) throws IOException {

@@ -53,7 +53,7 @@ class ProfileCommandTest {
     }
   }
 
-  /** The confidences of twelve photos alternate, whatever their distances. */
+  /** The confidences of twelve photos alternate and do not depend on the distance. */
   @Test
   void rejectsNoiseAndWritesNoModels() throws IOException {
     Cli fitted = fit((row, pip) -> row % 2 == 0 ? 0.1 : 0.3);
@@ -157,7 +157,7 @@ class ProfileCommandTest {
   @Test
   void fitsConfidencesOfAnyDetectorWithoutPhotos() throws IOException {
     Path file = confidences("yolo");
-    Cli fit = assertDone(fitted(file));
+    Cli fit = assertDone(fitConfidences(file));
     Path model = folder.resolve("models/yolo-pinhole.json");
     assertTrue(Files.exists(model), fit.out());
     assertTrue(Files.exists(folder.resolve("report.html")));
@@ -176,7 +176,7 @@ class ProfileCommandTest {
   /** The detector is named after the CSV file. */
   @Test
   void alignsColumnsForLongNames() throws IOException {
-    Cli fit = assertDone(fitted(confidences("a-detector-with-a-long-name")));
+    Cli fit = assertDone(fitConfidences(confidences("a-detector-with-a-long-name")));
     List<String> lines = fit.out().lines().limit(6).toList();
     int end = lines.get(0).indexOf(" RMSE") + 5;
     lines.forEach(line -> assertTrue(line.startsWith("  ", end), fit.out()));
@@ -184,7 +184,7 @@ class ProfileCommandTest {
 
   @Test
   void rejectsModelsWithCovariates() throws IOException {
-    assertDone(fitted(confidences("yolo")));
+    assertDone(fitConfidences(confidences("yolo")));
     Path model = folder.resolve("models/yolo-pinhole.json");
     String lit = Files.readString(model).replace("\"units\"", "\"covariates\": {},\n  \"units\"");
     Files.writeString(model, lit);
@@ -194,7 +194,7 @@ class ProfileCommandTest {
     assertTrue(run.err().contains("covariates is an object, expected none"), run.err());
   }
 
-  /** Writes confidences that are a function of the share of the image. */
+  /** Writes confidences that depend only on the share of the image that an object fills. */
   private Path confidences(String detector) throws IOException {
     Files.writeString(
         folder.resolve("camera.json"),
@@ -212,7 +212,7 @@ class ProfileCommandTest {
     return Files.writeString(folder.resolve(detector + ".csv"), table);
   }
 
-  private Cli fitted(Path confidences) {
+  private Cli fitConfidences(Path confidences) {
     return Cli.run(
         "profile",
         "fit",
@@ -241,9 +241,9 @@ class ProfileCommandTest {
     assertArrayEquals(measured, Files.readAllBytes(table));
   }
 
-  /** Phones append a video to a motion photo. */
+  /** Phones append a video to the file of a motion photo. */
   @Test
-  void measuresPhotoWithVideoBehindIt() throws IOException {
+  void measuresPhotoThatVideoIsAppendedTo() throws IOException {
     Path lab = Cli.lab(folder, "--scale 0.05 --objects 1 --focal-lengths 0.05 --distances 1,2");
     Path table = lab.resolve("measurements.csv");
     Path photo = lab.resolve("images/matchbox-50mm-01.0m.jpg");

@@ -53,7 +53,9 @@ class ProofTest {
     assertFalse(metrics().anyMatch(row -> row.contains(",zoom-out,") && row.contains("_bound,")));
   }
 
-  /** Generates many close cameras with lenses, so that no view sees all that another one sees. */
+  /**
+   * Writes a scenario of many close cameras with lenses, where no view sees all that another sees.
+   */
   private Path denseScenario() throws IOException {
     Path scenario = folder.resolve("dense.xml");
     Cli.run("generate", scenario, "--cameras", 24, "--targets", 30, "--area", 1);

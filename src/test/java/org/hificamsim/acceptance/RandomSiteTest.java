@@ -50,7 +50,7 @@ class RandomSiteTest {
 
   @ParameterizedTest
   @ValueSource(ints = {5, 6, 7})
-  void wallsEncloseNobody(int seed) throws IOException {
+  void wallsEncloseNoCameraOrTarget(int seed) throws IOException {
     Path file = generated("--cameras", 6, "--lenses", "--walls", 150, "--seed", seed);
     Scenario site = read(file);
     Walk walk = new Walk(site);
@@ -78,10 +78,11 @@ class RandomSiteTest {
 
   @Test
   void rejectsWallsWithoutRoomOrLenses() {
-    refused("--walls is 2000, expected at most about", "--cameras", 2, "--lenses", "--walls", 2000);
-    refused("--walls is -1", "--cameras", 2, "--lenses", "--walls", -1);
-    refused("--walls is given without --lenses", "--walls", 3);
-    refused("unknown objective 'all'", "--lenses", "--objective", "all");
+    assertRejected(
+        "--walls is 2000, expected at most about", "--cameras", 2, "--lenses", "--walls", 2000);
+    assertRejected("--walls is -1", "--cameras", 2, "--lenses", "--walls", -1);
+    assertRejected("--walls is given without --lenses", "--walls", 3);
+    assertRejected("unknown objective 'all'", "--lenses", "--objective", "all");
   }
 
   private static Scenario read(Path file) {
@@ -103,16 +104,14 @@ class RandomSiteTest {
     return Cli.run(words);
   }
 
-  private void refused(String expected, Object... options) {
+  private void assertRejected(String expected, Object... options) {
     Cli run = generate(options);
     assertEquals(2, run.exit());
     assertTrue(run.err().startsWith("error: ") && run.err().contains(expected), run.err());
     assertEquals(1, run.err().lines().count(), run.err());
   }
 
-  /**
-   * Returns the places of a lattice of half a metre to which one can walk from the first camera.
-   */
+  /** The points of a lattice of half a metre to which one can walk from the first camera. */
   private static final class Walk {
     private static final double WIDTH = 0.5;
 
@@ -154,7 +153,7 @@ class RandomSiteTest {
       return (int) (y / WIDTH) * columns + (int) (x / WIDTH);
     }
 
-    /** Whether the nearest places of the lattice around a point include one that is reached. */
+    /** Whether one of the four nearest points of the lattice is reached. */
     boolean reaches(double x, double y) {
       for (int row = 0; row <= 1; row++) {
         for (int column = 0; column <= 1; column++) {

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests that the claims of {@code place --evaluate} about zones hold on random sites. */
 class RandomZoneClaimTest {
-  private static final double POINTS = 1;
+  private static final double TOLERANCE = 1;
 
   @TempDir private Path folder;
 
@@ -30,7 +30,7 @@ class RandomZoneClaimTest {
     Map<String, Double> claims = ZoneRaster.claims(evaluated.out());
     for (Zone zone : planned.zones()) {
       double share = 100 * ZoneRaster.share(planned, zone, "oodpcvs-2025:level=perceive");
-      assertEquals(share, claims.get(zone.name()), POINTS, zone.name());
+      assertEquals(share, claims.get(zone.name()), TOLERANCE, zone.name());
     }
   }
 

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Tests {@code import} on recordings as people publish them, some of which are odd. */
+/** Tests {@code import} on recordings in forms that people publish, some of them irregular. */
 class RecordingCasesTest {
   private static final Path CASES = Cli.ROOT.resolve("src/test/resources/cases");
 
@@ -54,7 +54,7 @@ class RecordingCasesTest {
             + "|5 samples of 2 targets in 0.8 s; left out: 2 entries whose place is unknown",
         "trajnet-question/test.txt --rate 25|format: ethucy; 5 samples of 2 targets in 0.8 s",
       })
-  void readsWhatPeoplePublish(String command, String expected) {
+  void readsPublishedRecordings(String command, String expected) {
     Cli imported = imported(command);
     assertEquals(0, imported.exit(), imported.err());
     for (String words : expected.split("; ")) {
@@ -63,9 +63,9 @@ class RecordingCasesTest {
   }
 
   @Test
-  void flagsAreRefusedAsPlaces() {
+  void rejectsFlagsReadAsPositions() {
     imported("mot-visdrone/gt.txt --format mot --rate 25 --unit m")
-        .assertRefused(
+        .assertRejected(
             "a class and flags, and no places in metres, expected --unit px and --homography FILE,"
                 + " or --force-reading",
             folder.resolve("out"));
@@ -73,13 +73,13 @@ class RecordingCasesTest {
         0, imported("mot-visdrone/gt.txt --format mot --rate 25 --unit m --force-reading").exit());
   }
 
-  /** SUMO's speeds tell degrees even if its header is lost. */
+  /** The speeds of SUMO reveal that positions are degrees even if the header is lost. */
   @Test
-  void degreesOfSumoAreRefusedAsMetres() throws IOException {
+  void rejectsDegreesOfSumoReadAsMetres() throws IOException {
     String fcd = Files.readString(CASES.resolve("fcd-geo/fcd.xml"));
     Path bare = Files.writeString(folder.resolve("bare.xml"), fcd.replaceAll("(?s)<!--.*-->", ""));
     imported(bare + " --format fcd")
-        .assertRefused(
+        .assertRejected(
             "by their speeds: positions are degrees, expected --unit deg", folder.resolve("out"));
     assertTrue(imported(bare + " --unit deg").out().contains("x from 0 to 19.4 m"));
     Path attribute =
@@ -107,8 +107,8 @@ class RecordingCasesTest {
         "mot-blanks/tracks.txt|expected --rate R, the frames per second, which a file of this"
             + " format does not have (read as mot, because the file has 10 numbers between blanks)",
       })
-  void namesWrongFormat(String command, String message) {
-    imported(command).assertRefused(message, folder.resolve("out"));
+  void rejectsFileOfOtherFormat(String command, String message) {
+    imported(command).assertRejected(message, folder.resolve("out"));
   }
 
   private Cli imported(String command) {

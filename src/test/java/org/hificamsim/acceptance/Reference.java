@@ -177,7 +177,7 @@ public final class Reference {
                         Stream.concat(command.stream(), Stream.of(name)).toList())));
   }
 
-  /** Returns the entries that come with the program; users' builtIn have names of classes. */
+  /** Returns the entries that come with the program; summaries of users' parts are class names. */
   private static <T> Stream<Registry.Entry<T>> builtIn(Registry<T> registry) {
     return registry.entries().stream().filter(entry -> entry.summary().contains(" "));
   }

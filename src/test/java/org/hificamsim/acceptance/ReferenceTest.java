@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** Tests that every declaration that users look up is on one page of the documentation. */
+/** Tests that the documentation has every declaration that users look up, and has it once. */
 class ReferenceTest {
   private static final Map<String, String> PARTS = Reference.parts();
 
@@ -25,11 +25,13 @@ class ReferenceTest {
   }
 
   @Test
-  void everyPageHasTheTablesOfToday() throws IOException {
+  void everyPageHasCurrentTables() throws IOException {
     for (Path page : Reference.pages(Cli.ROOT.resolve("docs"))) {
       String text = Cli.text(page);
       assertEquals(
-          Reference.updated(text, PARTS), text, page + " is stale; mend: gradle reference");
+          Reference.updated(text, PARTS),
+          text,
+          page + " is stale; to update it, run gradle reference");
     }
   }
 
@@ -41,7 +43,7 @@ class ReferenceTest {
   }
 
   @Test
-  void replacesWhatStandsBetweenTheMarks() {
+  void replacesTextBetweenMarks() {
     String page = "a\n<!-- reference: x -->\nold\n<!-- end of reference -->\nb\n";
     String expected = "a\n<!-- reference: x -->\n\nnew\n\n<!-- end of reference -->\nb\n";
     assertEquals(expected, Reference.updated(page, Map.of("x", "new\n")));
@@ -49,7 +51,7 @@ class ReferenceTest {
   }
 
   @Test
-  void refusesPageWhosePartIsUnknownOrDoesNotEnd() {
+  void rejectsPageWhosePartIsUnknownOrDoesNotEnd() {
     Map<String, String> parts = Map.of("x", "new\n");
     assertThrows(
         IllegalArgumentException.class,

@@ -35,12 +35,12 @@ class ReportCommandTest {
   }
 
   @Test
-  void runWithoutRecordHasNoPage() {
+  void deletesPageAfterRunWithoutRecord() {
     Path run = record();
     assertTrue(Files.exists(run.resolve("report.html")));
     Cli.run("run", Cli.scenario("ring-random"), "--steps", 30, "--out", run);
     assertFalse(Files.exists(run.resolve("report.html")));
-    refuses(run, "replay.json");
+    assertRejected(run, "replay.json");
   }
 
   @Test
@@ -49,19 +49,19 @@ class ReportCommandTest {
     Path steps = run.resolve("steps.csv");
     List<String> rows = Files.readAllLines(steps);
     Files.write(steps, rows.subList(0, rows.size() - 1));
-    refuses(run, "no row for run,step 0,29");
+    assertRejected(run, "no row for run,step 0,29");
     Files.write(steps, rows);
     Path summary = run.resolve("summary.json");
     Files.writeString(summary, Files.readString(summary).replace("score_words", "words"));
-    refuses(run, "no score_words");
+    assertRejected(run, "no score_words");
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"replay.json", "steps.csv", "summary.json", "manifest.json"})
-  void namesMissingFile(String name) throws IOException {
+  void reportsMissingFile(String name) throws IOException {
     Path run = record();
     Files.delete(run.resolve(name));
-    refuses(run, name);
+    assertRejected(run, name);
   }
 
   @ParameterizedTest
@@ -78,14 +78,15 @@ class ReportCommandTest {
         "replay.json | \"frames\":30 | \"frames\":-1 | frames of run 0",
         "replay.json | replay-1 | replay-9 | format is 'hificamsim-replay-9'",
       })
-  void namesEditInOneLine(String name, String from, String to, String expected) throws IOException {
+  void reportsEditedFileInOneLine(String name, String from, String to, String expected)
+      throws IOException {
     Path run = record();
     Path file = run.resolve(name);
     String before = Files.readString(file);
     String after = before.replaceFirst(from, to);
     assertFalse(before.equals(after));
     Files.writeString(file, after);
-    refuses(run, expected);
+    assertRejected(run, expected);
   }
 
   @ParameterizedTest
@@ -96,7 +97,7 @@ class ReportCommandTest {
             + " site,",
         "settings.json | \\[ | < | settings.json:1:1: not JSON",
       })
-  void namesEditOfComparisonInOneLine(String name, String from, String to, String expected)
+  void reportsEditedComparisonInOneLine(String name, String from, String to, String expected)
       throws IOException {
     Path out = folder.resolve("compared");
     Cli.run(
@@ -116,7 +117,7 @@ class ReportCommandTest {
     String before = Files.readString(file);
     Files.writeString(file, before.replaceFirst(from, to));
     assertFalse(before.equals(Files.readString(file)));
-    refuses(out, expected);
+    assertRejected(out, expected);
   }
 
   @ParameterizedTest
@@ -139,8 +140,8 @@ class ReportCommandTest {
 
   @Test
   void rejectsMissingFoldersAndUnwritableOutputs() {
-    refuses(folder.resolve("nowhere"), "no folder");
-    refuses(folder, "replay.json");
+    assertRejected(folder.resolve("nowhere"), "no folder");
+    assertRejected(folder, "replay.json");
     Path run = record();
     Cli report = Cli.run("report", run, "--out", folder.resolve("missing/page.html"));
     assertEquals(2, report.exit());
@@ -157,7 +158,7 @@ class ReportCommandTest {
     "--per-second, --gif, ",
     "--width, --png or --gif, --svg"
   })
-  void rejectsOptionsOfPicturesNotAskedFor(String option, String needed, String given) {
+  void rejectsOptionsOfPicturesWithoutPicture(String option, String needed, String given) {
     List<Object> words = new ArrayList<>(List.of("report", record(), option, 5));
     if (given != null) {
       words.addAll(List.of(given, folder.resolve("picture")));
@@ -175,7 +176,7 @@ class ReportCommandTest {
     return run;
   }
 
-  private static void refuses(Path run, String expected) {
+  private static void assertRejected(Path run, String expected) {
     Cli report = Cli.run("report", run);
     assertEquals(2, report.exit(), report.err());
     assertEquals(1, report.err().lines().count(), report.err());

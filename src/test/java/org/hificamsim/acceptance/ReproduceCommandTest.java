@@ -20,7 +20,7 @@ class ReproduceCommandTest {
   private static final List<String> FIGURES =
       Stream.of("7.3", "7.4", "7.6", "7.7", "7.8", "7.9", "8.1").map("figure-"::concat).toList();
 
-  /** The statements that {@code reproduction.md} confirms under every reading that was tried. */
+  /** The statements that {@code reproduction.md} confirms under every reading of the thesis. */
   private static final List<String> ROBUST =
       List.of(
           "baselines-below-greedy",
@@ -50,7 +50,9 @@ class ReproduceCommandTest {
     for (String id : ROBUST) {
       String row =
           verdicts.stream().filter(line -> line.contains("," + id + ",")).findFirst().get();
-      assertFalse(row.contains(",not reproduced,"), row); // four seeds leave intervals wide
+      assertFalse(
+          row.contains(",not reproduced,"),
+          row); // but it may be within the interval, which is wide with four seeds
       Matcher held = Pattern.compile("(\\d+) of (\\d+) checks hold").matcher(row);
       assertTrue(held.find() && held.group(1).equals(held.group(2)), row);
     }
@@ -68,7 +70,7 @@ class ReproduceCommandTest {
   }
 
   @Test
-  void printsFirstThatOptimumIsStatic() throws IOException {
+  void saysFirstThatOptimumIsStatic() throws IOException {
     Path out = reproduced(1).folder();
     Cli run = reproduced(1).cli();
     assertTrue(run.out().startsWith("The optimum is static: fixed:2 has the k_min"), run.out());
@@ -129,7 +131,7 @@ class ReproduceCommandTest {
   }
 
   @Test
-  void rejectsWrongNumbersInOneLine() {
+  void rejectsInvalidNumbersInOneLine() {
     Cli run = Cli.run("reproduce", "--steps", 0, "--out", folder.resolve("none"));
     assertEquals(2, run.exit());
     assertTrue(run.err().contains("--steps is 0"), run.err());
@@ -144,7 +146,7 @@ class ReproduceCommandTest {
         .toList();
   }
 
-  /** At moderate size. */
+  /** Returns the results of a reproduction of moderate size. */
   static Results reproduced(int threads) {
     return Results.of("reproduce", "--steps", 1500, "--repeat", 4, "--threads", threads);
   }

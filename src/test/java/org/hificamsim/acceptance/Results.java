@@ -20,15 +20,15 @@ import java.util.stream.Stream;
  * tests.
  *
  * @param cli the outcome of the command
- * @param folder of the results, which is deleted when this process ends
+ * @param folder the folder of the results, which is deleted when this process ends
  */
 record Results(Cli cli, Path folder) {
   private static final Map<List<String>, Results> MADE = new HashMap<>();
 
   /**
-   * Runs a command unless it has been run.
+   * Returns the results of a command, which is run unless a test has run it before.
    *
-   * @param words all but {@code --out}
+   * @param words the command and its arguments except {@code --out}
    */
   static synchronized Results of(Object... words) {
     return MADE.computeIfAbsent(
@@ -43,7 +43,7 @@ record Results(Cli cli, Path folder) {
   }
 
   /**
-   * What is made in a folder of its own; when this process ends, it is closed and the folder
+   * Makes something in a new folder. When this process ends, it is closed and the folder is
    * deleted.
    */
   static <T> T untilTheEnd(String name, Function<Path, T> make, Consumer<T> close) {

@@ -9,7 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A site of two rooms for tests of {@code place}. */
+/** The base of tests of {@code place} on a site of two rooms. */
 abstract class RoomsTest {
   static final String WALL = "<wall x1=\"10\" y1=\"0\" x2=\"10\" y2=\"20\"/>";
   static final String DOOR =
@@ -50,7 +50,7 @@ abstract class RoomsTest {
     return Files.readString(json).replaceAll("(?s).*?\"" + name + "\" : ([-0-9.E]+).*", "$1");
   }
 
-  static void refuses(Path site, String words, String message) {
+  static void assertRejected(Path site, String words, String message) {
     Cli refused = Cli.run((Object[]) ("place " + site + " " + words).strip().split(" "));
     assertEquals(2, refused.exit(), refused.out());
     assertTrue(refused.err().contains(message), refused.err());

@@ -84,7 +84,7 @@ class RunCommandTest {
   }
 
   @Test
-  void leavesOnlyItsFiles() throws IOException {
+  void writesOnlyItsFiles() throws IOException {
     Cli.run("run", LATTICE, "--steps", 10, "--out", folder);
     try (Stream<Path> files = Files.list(folder)) {
       assertEquals(
@@ -102,7 +102,7 @@ class RunCommandTest {
               .toList());
     }
     String manifest = Files.readString(folder.resolve("manifest.json"));
-    assertFalse(manifest.contains("development"), manifest); // the version is known
+    assertFalse(manifest.contains("development"), manifest);
   }
 
   @Test

@@ -25,11 +25,11 @@ import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.support.ui.Select;
 
-/** The page of a recorded run in a browser. */
+/** Tests the page of a recorded run in a browser. */
 class RunPageTest {
   private static final int STEPS = 200;
   private static final int SLOWEST_DRAWING =
-      50; // milliseconds on average; about 5 on a fast machine
+      50; // milliseconds on average, ten times as long as a fast machine needs
 
   @TempDir static Path folder;
   private static Browser browser;
@@ -122,7 +122,7 @@ const {field} = hificamsim.player, {width, height} = field.surface;
 const box = field.element.getBoundingClientRect();
 field.pointer.nearest = () => ({target: 0});
 return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(corner => {
-  field.pointer.place = corner;
+  field.pointer.position = corner;
   field.describe();
   const tip = field.tooltip.element.getBoundingClientRect();
   return tip.left >= box.left && tip.right <= box.right
@@ -376,7 +376,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
     browser.assertQuietConsole();
   }
 
-  /** The cluster with eight targets, each from its own place. */
+  /** Writes the scenario of the cluster with eight targets. */
   private static Path eightTargets() throws IOException {
     String scenario = Files.readString(Cli.scenario("cluster-random"));
     List<String> added = new ArrayList<>();
@@ -404,7 +404,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
     return run.resolve("report.html").toUri().toString();
   }
 
-  /** Opens a page, and shows its first step. */
+  /** Opens the page of a run, and shows its first step. */
   private static void open(Path run) {
     browser.open(address(run));
     browser.run("hificamsim.playhead.show(0)");
@@ -417,7 +417,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
         step);
   }
 
-  /** Waits until the playheads of all three charts are at this share of the width. */
+  /** Asserts that the playheads of all three charts are at this share of the width. */
   private static void assertPlayheadsAt(double share) {
     browser.until(
         "const lines = [...document.querySelectorAll('.playhead')];"
@@ -431,7 +431,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
     places.forEach(place -> assertEquals(share, ((Number) place).doubleValue(), 0.005));
   }
 
-  /** Moves the pointer to a place of the field, in metres, and returns the tooltip. */
+  /** Moves the pointer to a position in the field, in metres, and returns the tooltip. */
   private static String hover(double x, double y) {
     point("pointermove", x, y);
     return (String) browser.run("return document.querySelector('.tip').textContent");

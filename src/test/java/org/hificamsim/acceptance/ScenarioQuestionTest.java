@@ -48,13 +48,14 @@ class ScenarioQuestionTest {
   @Test
   void optionOverridesScenarioAndScenarioOverridesDefault() throws IOException {
     Path bare = scenario("");
-    Path asking = scenario("detection=\"geometric\" detect=\"threshold\" steps=\"7\"");
+    Path withAttributes = scenario("detection=\"geometric\" detect=\"threshold\" steps=\"7\"");
     assertPlan("hifi:orb-lin 1000 default default default", summary("run", bare));
-    assertPlan("geometric 7 scenario scenario scenario", summary("run", asking));
+    assertPlan("geometric 7 scenario scenario scenario", summary("run", withAttributes));
     assertPlan(
         "camsim-range 3 option scenario option",
-        summary("run", asking, "--detection", "camsim-range", "--steps", 3));
-    Cli withDetection = Cli.run("run", asking, "--steps", 3, "--out", folder.resolve("told"));
+        summary("run", withAttributes, "--detection", "camsim-range", "--steps", 3));
+    Cli withDetection =
+        Cli.run("run", withAttributes, "--steps", 3, "--out", folder.resolve("told"));
     assertTrue(
         withDetection
             .out()
@@ -139,7 +140,7 @@ class ScenarioQuestionTest {
     assertEquals(7, summary.path("steps").asInt());
   }
 
-  /** A small scenario with more attributes. */
+  /** Writes a small scenario with these attributes of its simulation. */
   private Path scenario(String attributes) throws IOException {
     String text =
         """
@@ -171,7 +172,7 @@ class ScenarioQuestionTest {
     return summary(words.toArray()).path("threshold").asDouble();
   }
 
-  /** Runs a command; an argument may have several words. */
+  /** Runs a command, whose arguments may contain several words each. */
   private static void run(Object... words) {
     Cli done =
         Cli.run(

@@ -26,12 +26,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.xml.sax.SAXException;
 
-/** Tests that {@code scenarios/camsim.xsd} accepts every real file and rejects broken ones. */
+/** Tests that {@code scenarios/camsim.xsd} accepts all scenarios and rejects broken ones. */
 class ScenarioSchemaTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root"));
 
-  /** A small valid scenario with every part that {@link #rejectsBrokenSnippets} breaks. */
-  private static final String SOUND =
+  /** A small valid scenario that contains every text that {@link #rejectsBrokenSnippets} breaks. */
+  private static final String VALID =
       """
 <root>
   <simulation min_x="-10" max_x="10" min_y="-5" max_y="5" order="coverage" threshold="0.5"
@@ -84,7 +84,7 @@ class ScenarioSchemaTest {
 
   @Test
   void acceptsValidSnippet() {
-    assertDoesNotThrow(() -> validate(new StreamSource(new StringReader(SOUND))));
+    assertDoesNotThrow(() -> validate(new StreamSource(new StringReader(VALID))));
   }
 
   @ParameterizedTest(name = "{0} -> {1}")
@@ -141,8 +141,8 @@ class ScenarioSchemaTest {
         "<root>                     | <root><simulation/>",
       })
   void rejectsBrokenSnippets(String part, String broken) {
-    String text = SOUND.replace(part, broken == null ? "" : broken);
-    assertTrue(!text.equals(SOUND), "the snippet has no such part");
+    String text = VALID.replace(part, broken == null ? "" : broken);
+    assertTrue(!text.equals(VALID), "the snippet has no such part");
     assertThrows(
         SAXException.class, () -> validate(new StreamSource(new StringReader(text))), text);
   }

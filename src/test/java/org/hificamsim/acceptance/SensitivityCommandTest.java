@@ -39,7 +39,7 @@ class SensitivityCommandTest {
 
   @TempDir Path folder;
 
-  /** Sweeps without a word on the screen. */
+  /** Returns the results of a short sensitivity study. */
   static Results swept() {
     return Results.of("sensitivity", "--steps", 30, "--repeat", 2, "--quiet");
   }
@@ -57,12 +57,12 @@ class SensitivityCommandTest {
     String findings = Files.readString(swept.resolve("sensitivity.md"));
     assertTrue(findings.contains("It holds in"));
     assertTrue(findings.contains("How many settings fit Table 8.1 as well"));
-    modelsOfOneFeatureAbstractionAreOneModel(rows);
-    everySettingHasItsDistanceFromTheTable();
+    assertModelsDifferOnlyByFeatureAbstraction(rows);
+    assertEverySettingHasItsDistanceFromTable();
   }
 
   /** Under the default thresholds the detector g cancels out. */
-  private static void modelsOfOneFeatureAbstractionAreOneModel(List<String> rows) {
+  private static void assertModelsDifferOnlyByFeatureAbstraction(List<String> rows) {
     List<String> own = rows.stream().filter(row -> row.startsWith("g,")).toList();
     assertEquals(3 * 4 * 4, own.size());
     assertEquals(
@@ -77,7 +77,7 @@ class SensitivityCommandTest {
                 .count());
   }
 
-  private static void everySettingHasItsDistanceFromTheTable() throws IOException {
+  private static void assertEverySettingHasItsDistanceFromTable() throws IOException {
     List<String> fits = Files.readAllLines(swept().folder().resolve("fit.csv"));
     assertEquals("parameter,value,default,error_hifi,error_camsim", fits.get(0));
     assertEquals(
@@ -90,7 +90,7 @@ class SensitivityCommandTest {
     assertTrue(fits.stream().noneMatch(row -> row.startsWith("k,")));
   }
 
-  /** With f_lin, size and threshold move the farthest detected distances of all levels alike. */
+  /** With f_lin, size and threshold change the farthest detected distance of all levels equally. */
   @Test
   void smallerTargetsWithLowerThresholdGiveSameSteps() throws IOException {
     double lower = 0.026 + (0.0441 - 0.026) * Math.pow(10, -2 * (0.66 - 0.45));
@@ -113,7 +113,7 @@ class SensitivityCommandTest {
     return file;
   }
 
-  /** What an audit found by hand: with smaller targets hi-fi falls below CamSim's model. */
+  /** With smaller targets, policies score less under hi-fi than under CamSim's model. */
   @Test
   void conclusionDependsOnTargetSize() throws IOException {
     Cli run =

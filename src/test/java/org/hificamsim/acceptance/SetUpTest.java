@@ -114,14 +114,14 @@ class SetUpTest {
     assertEquals(List.of(built), source(words).lines());
   }
 
-  /** The exit code and the text on both outputs. */
+  /** The exit code of a script, and the text of both its outputs. */
   private record Output(int exit, String text) {
     List<String> lines() {
       return text.lines().toList();
     }
   }
 
-  /** Runs words of {@code tools/setup.sh} as if there were no JDK, Gradle or OpenCV. */
+  /** Runs a command within {@code tools/setup.sh} as if there were no JDK, Gradle or OpenCV. */
   private Output source(String words) throws Exception {
     Path script = Cli.ROOT.resolve("tools/setup.sh").toRealPath();
     String missing = "gradle=/none; build_home() { return 1; }; debian_opencv=/none;";

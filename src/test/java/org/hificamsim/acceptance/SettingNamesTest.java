@@ -25,9 +25,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Tests that messages name a setting as the user knows it. python/tests tests those of Python. */
+/**
+ * Tests that messages name a setting as its user knows it; python/tests has the tests of Python.
+ */
 class SettingNamesTest {
-  /** The libraries' only flags are those of another program: {@code git describe}. */
+  /** The only flags that libraries may contain, which are those of {@code git describe}. */
   private static final Pattern FLAG_OF_GIT =
       Pattern.compile("\"--(always|dirty|abbrev=40|exclude=\\*)\"");
 
@@ -36,7 +38,7 @@ class SettingNamesTest {
 
   @TempDir private Path folder;
 
-  /** The module of benchmarks has no main classes. */
+  /** Leaves out the command line, and the benchmarks, which have no main classes. */
   @ParameterizedTest
   @EnumSource(
       value = Module.class,
@@ -61,13 +63,13 @@ class SettingNamesTest {
   }
 
   @Test
-  void errorOfRunNamesTheFlag() {
+  void runNamesFlagInErrors() {
     Cli run = Cli.run("run", Cli.scenario("ring-random"), "--steps", 0, "--out", folder);
     assertTrue(run.err().startsWith("error: --steps is 0, expected "), run.err());
   }
 
   @Test
-  void errorOfEmbeddedRunHasThePlainName() {
+  void embeddedRunNamesSettingPlainlyInErrors() {
     Catalogue catalogue = Catalogue.load();
     Path file = Cli.scenario("ring-random");
     Scenario scenario = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
@@ -87,10 +89,9 @@ class SettingNamesTest {
 
   @ParameterizedTest
   @EnumSource(Setting.class)
-  void everyCheckOfASettingNamesIt(Setting setting) {
-    EnumSet<Setting> anyTextIsTaken =
-        EnumSet.of(Setting.DETECTION, Setting.POLICY, Setting.NETWORK);
-    if (!anyTextIsTaken.contains(setting)) {
+  void everySettingIsNamedInItsErrors(Setting setting) {
+    EnumSet<Setting> acceptAnyText = EnumSet.of(Setting.DETECTION, Setting.POLICY, Setting.NETWORK);
+    if (!acceptAnyText.contains(setting)) {
       InputException fault =
           assertThrows(InputException.class, () -> Settings.NONE.with(setting, "no such value"));
       assertTrue(fault.getMessage().contains(setting.label()), fault.getMessage());

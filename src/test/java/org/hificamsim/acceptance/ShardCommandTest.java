@@ -18,9 +18,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Tests comparisons in shards, which have to give the files of the whole when merged. */
+/** Tests that the merged shards of a comparison have the same files as the whole comparison. */
 class ShardCommandTest {
-  private static final int RUNS = (2 + 2) * 2; // with the optimum and the best fixed zoom
+  private static final int RUNS = (2 + 2) * 2; // two policies and two yardsticks, two seeds
 
   @TempDir static Path shared;
   private static Path whole;
@@ -57,7 +57,7 @@ class ShardCommandTest {
     Path runs = parts.get(1).resolve("runs.jsonl");
     byte[] bytes = Files.readAllBytes(runs);
     Files.write(runs, Arrays.copyOf(bytes, bytes.length / 2));
-    assertRefused("--merge lacks 2 of 8 runs, such as scenario lattice-random", merging(parts));
+    assertRejected("--merge lacks 2 of 8 runs, such as scenario lattice-random", merging(parts));
     List<String> before = Files.readAllLines(runs).subList(0, 1);
     assertEquals(0, Cli.run(words(parts.get(1), "--shard", "2/3", "--resume")).exit());
     assertEquals(before, Files.readAllLines(runs).subList(0, 1), "computed again");
@@ -66,11 +66,11 @@ class ShardCommandTest {
 
   @Test
   void rejectsMissingShard() {
-    assertRefused("--merge lacks 3 of 8 runs", merging(List.of(thirds.get(0), thirds.get(2))));
+    assertRejected("--merge lacks 3 of 8 runs", merging(List.of(thirds.get(0), thirds.get(2))));
   }
 
   @Test
-  void countsRepeatedAndOverlappingShardsOnce() throws IOException {
+  void countsRunsOfOverlappingShardsOnce() throws IOException {
     List<Path> further = new ArrayList<>(thirds);
     further.add(thirds.get(1));
     further.addAll(parts(folder, 2));
@@ -81,19 +81,19 @@ class ShardCommandTest {
   void ignoresShardsOfAnotherComparison() {
     Object[] other =
         Stream.concat(Arrays.stream(merging(thirds)), Stream.of("--seed", 100)).toArray();
-    assertRefused("--merge lacks 8 of 8 runs", other);
+    assertRejected("--merge lacks 8 of 8 runs", other);
   }
 
   @Test
-  void namesFolderWithoutShard() {
-    assertRefused("runs.jsonl', expected what --shard writes", merging(List.of(whole)));
+  void rejectsFolderWithoutShard() {
+    assertRejected("runs.jsonl', expected what --shard writes", merging(List.of(whole)));
   }
 
   @Test
   void keepsExistingRuns() throws IOException {
     Path first = parts(folder, 3).get(0);
     List<String> runs = Files.readAllLines(first.resolve("runs.jsonl"));
-    assertRefused("expected another folder, or --resume", words(first, "--shard", "2/3"));
+    assertRejected("expected another folder, or --resume", words(first, "--shard", "2/3"));
     assertEquals(0, Cli.run(words(first, "--shard", "2/3", "--resume")).exit());
     List<String> further = Files.readAllLines(first.resolve("runs.jsonl"));
     assertEquals(runs, further.subList(0, runs.size()));
@@ -104,7 +104,7 @@ class ShardCommandTest {
   void keepsForeignFileOfSameName() throws IOException {
     Path out = Files.createDirectory(folder.resolve("own"));
     Path notes = Files.writeString(out.resolve("runs.jsonl"), "my notes");
-    assertRefused("no shard wrote it", words(out, "--shard", "2/3", "--resume"));
+    assertRejected("no shard wrote it", words(out, "--shard", "2/3", "--resume"));
     assertEquals("my notes", Files.readString(notes));
   }
 
@@ -112,7 +112,7 @@ class ShardCommandTest {
   @ValueSource(strings = {"0/3", "4/3", "1", "1/0"})
   void rejectsMalformedShards(String part) {
     Path out = folder.resolve("out");
-    assertRefused("--shard is '" + part + "'", words(out, "--shard", part));
+    assertRejected("--shard is '" + part + "'", words(out, "--shard", part));
     assertFalse(Files.exists(out));
   }
 
@@ -157,7 +157,7 @@ class ShardCommandTest {
         .toArray();
   }
 
-  private static void assertRefused(String expected, Object... words) {
+  private static void assertRejected(String expected, Object... words) {
     Cli cli = Cli.run(words);
     assertEquals(2, cli.exit(), cli.err());
     assertEquals(1, cli.err().lines().count(), cli.err());

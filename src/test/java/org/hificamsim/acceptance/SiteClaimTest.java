@@ -12,9 +12,9 @@ import org.hificamsim.runs.Settings;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Tests that the claims of {@code place --evaluate} about shipped sites hold for people there. */
+/** Tests claims of {@code place --evaluate} about shipped sites by putting people into zones. */
 class SiteClaimTest {
-  private static final double POINTS = 1;
+  private static final double TOLERANCE = 1;
 
   @ParameterizedTest
   @ValueSource(
@@ -31,7 +31,7 @@ class SiteClaimTest {
     List<Zone> zones = Zone.ofSite(read.zones());
     for (Zone zone : zones) {
       double claim = ZoneRaster.claims(evaluated.out()).get(zone.name());
-      assertEquals(100 * ZoneRaster.share(read, zone, usual), claim, POINTS, zone.name());
+      assertEquals(100 * ZoneRaster.share(read, zone, usual), claim, TOLERANCE, zone.name());
     }
   }
 }

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Tests {@code site}, and other commands on its scenarios. */
+/** Tests {@code site}, and other commands on the scenarios that it makes. */
 class SiteCommandTest {
   private static final Path SITES = Cli.ROOT.resolve("examples/plans");
 
@@ -24,7 +24,7 @@ class SiteCommandTest {
   private Path out;
 
   @BeforeEach
-  void name() {
+  void setOutputFolder() {
     out = folder.resolve("out");
   }
 
@@ -34,7 +34,7 @@ class SiteCommandTest {
     return Cli.run(words.toArray());
   }
 
-  private Path written(String name, String text) throws IOException {
+  private Path write(String name, String text) throws IOException {
     return Files.writeString(folder.resolve(name), text);
   }
 
@@ -77,9 +77,9 @@ class SiteCommandTest {
   }
 
   @Test
-  void offersLayersForBackgroundOfPage() {
+  void rejectsBackgroundOfPageAsSolid() {
     site(SITES.resolve("shop.svg"), "--scale", "1:100")
-        .assertRefused("a solid fills 100 % of the plan: it is probably the area that", out);
+        .assertRejected("a solid fills 100 % of the plan: it is probably the area that", out);
   }
 
   @ParameterizedTest
@@ -94,7 +94,7 @@ class SiteCommandTest {
   }
 
   @Test
-  void fieldOfPictureEndsWithIt() throws IOException {
+  void endsFieldWherePictureEnds() throws IOException {
     Path picture = folder.resolve("odd.png");
     ImageIO.write(new BufferedImage(83, 61, BufferedImage.TYPE_INT_RGB), "png", picture.toFile());
     Cli made = site(picture, "--scale=0.1", "--people", 2);
@@ -104,7 +104,7 @@ class SiteCommandTest {
   @Test
   void makesSiteOfMapInDegrees() throws IOException {
     Path map =
-        written(
+        write(
             "map.geojson",
             "{\"type\":\"LineString\",\"coordinates\":[[16,48],[16.001,48],[16.001,48.001]]}");
     assertMade(site(map), "map", "projected to metres: equirectangular, WGS84");
@@ -113,7 +113,7 @@ class SiteCommandTest {
   @Test
   void makesZonesOfWalkableAreas() throws IOException {
     Path room =
-        written(
+        write(
             "room.wkt",
             "GEOMETRYCOLLECTION (POLYGON ((0 0, 8 0, 8 4, 0 4, 0 0)),"
                 + " POLYGON ((8 1, 12 1, 12 3, 8 3, 8 1)))");
@@ -150,21 +150,22 @@ class SiteCommandTest {
   }
 
   @Test
-  void rejectsWrongOptionsInOneLine() throws IOException {
+  void rejectsInvalidOptionsInOneLine() throws IOException {
     Path dxf = SITES.resolve("room.dxf");
     Path svg = SITES.resolve("shop.svg");
-    Path unitless = written("a.dxf", Files.readString(dxf).replace("$INSUNITS", "$OTHER"));
-    site(unitless).assertRefused("the drawing has no unit ($INSUNITS), expected --walls-unit", out);
-    site(svg).assertRefused("expected --scale M with an SVG", out);
-    site(svg, "--scale", "1:0").assertRefused("--scale is '1:0', expected the metres of", out);
-    site(svg, "--scale", "2m=1,1:1,1").assertRefused("expected two points apart", out);
-    site(svg, "--scale", 1, "--width", 2).assertRefused("expected one of them", out);
-    site(dxf, "--layers", "WAL").assertRefused("--layers is 'WAL', which nothing", out);
-    site(folder.resolve("a.png")).assertRefused("a.png: a picture without --scale M", out);
-    site(folder.resolve("none.dxf")).assertRefused("none.dxf:1:1: no such file", out);
-    site(dxf, "--walls-unit", "deg").assertRefused("--walls-unit is deg, expected m, cm", out);
-    Path metres = written("b.geojson", "{\"type\":\"LineString\",\"coordinates\":[[0,0],[20,10]]}");
-    site(metres).assertRefused("its coordinates probably have another unit, expected", out);
-    Cli.run("site", dxf).assertRefused("expected --out DIR, a folder for the site", out);
+    Path unitless = write("a.dxf", Files.readString(dxf).replace("$INSUNITS", "$OTHER"));
+    site(unitless)
+        .assertRejected("the drawing has no unit ($INSUNITS), expected --walls-unit", out);
+    site(svg).assertRejected("expected --scale M with an SVG", out);
+    site(svg, "--scale", "1:0").assertRejected("--scale is '1:0', expected the metres of", out);
+    site(svg, "--scale", "2m=1,1:1,1").assertRejected("expected two points apart", out);
+    site(svg, "--scale", 1, "--width", 2).assertRejected("expected one of them", out);
+    site(dxf, "--layers", "WAL").assertRejected("--layers is 'WAL', which nothing", out);
+    site(folder.resolve("a.png")).assertRejected("a.png: a picture without --scale M", out);
+    site(folder.resolve("none.dxf")).assertRejected("none.dxf:1:1: no such file", out);
+    site(dxf, "--walls-unit", "deg").assertRejected("--walls-unit is deg, expected m, cm", out);
+    Path metres = write("b.geojson", "{\"type\":\"LineString\",\"coordinates\":[[0,0],[20,10]]}");
+    site(metres).assertRejected("its coordinates probably have another unit, expected", out);
+    Cli.run("site", dxf).assertRejected("expected --out DIR, a folder for the site", out);
   }
 }

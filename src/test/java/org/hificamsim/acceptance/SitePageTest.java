@@ -17,7 +17,8 @@ import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 
 /**
- * A scenario with optics, obstacles and a floor plan, on the page of a run and in the live view.
+ * Tests a scenario with optics, obstacles and a floor plan on the page of a run and in the live
+ * view.
  */
 class SitePageTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
@@ -192,7 +193,7 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
       browser.until( // the answer to the command may come after the step that it changed
           "return document.querySelector('[role=status]').textContent.startsWith('polygon,"
               + " solid')");
-      savedIsValid();
+      assertSavedIsValid();
       Accessibility.checkWidths(browser);
       browser.assertQuietConsole();
       browser.leave();
@@ -300,7 +301,7 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
     return (String) browser.run("return document.querySelector('[role=status]').textContent");
   }
 
-  private static void savedIsValid() throws IOException {
+  private static void assertSavedIsValid() throws IOException {
     String xml =
         (String)
             browser.run(

@@ -54,7 +54,7 @@ class SitesTest {
 
   @ParameterizedTest
   @CsvFileSource(resources = SITES)
-  void runWithEveryPolicy(String name, String detection) throws IOException {
+  void runsWithEveryPolicy(String name, String detection) throws IOException {
     Path out = folder.resolve("out");
     List<String> policies = policiesFor(name);
     Cli compare = compare(name, detection, String.join(",", policies), 20, 1, out);
@@ -62,7 +62,7 @@ class SitesTest {
     assertEquals(policies.size() + 1, Files.readAllLines(out.resolve("results.csv")).size());
   }
 
-  /** In a short run; results of long runs are in docs/world.md. */
+  /** The runs are short; docs/world.md has the results of long ones. */
   @ParameterizedTest
   @CsvSource({
     "corridor, oodpcvs-2025:level=perceive",
@@ -70,7 +70,7 @@ class SitesTest {
     "warehouse, oodpcvs-2025:level=discern",
     "hall, oodpcvs-2025:level=perceive"
   })
-  void adaptingGainsAThirdOrMore(String name, String detection) throws IOException {
+  void adaptingGainsAtLeastAThird(String name, String detection) throws IOException {
     Path out = folder.resolve("out");
     Cli compare = compare(name, detection, "optimal", 100, 1, out);
     assertEquals(0, compare.exit(), compare.err());
@@ -95,7 +95,8 @@ class SitesTest {
   }
 
   /**
-   * All policies, without those that need a file, are for k_min, or for cameras blind on their way.
+   * Returns the policies that can run on a site without a file: some need the objective k_min, and
+   * some need cameras that see nothing while they turn.
    */
   private static List<String> policiesFor(String site) throws IOException {
     boolean byLeast = read(site, new ArrayList<>()).objective().byLeast();
@@ -139,10 +140,10 @@ class SitesTest {
         Files.readAllLines(out.resolve("metrics.csv")).stream()
             .map(line -> List.of(line.split(",", -1)))
             .toList();
-    int ofMetric = rows.get(0).indexOf("metric");
+    int metricColumn = rows.get(0).indexOf("metric");
     int value = rows.get(0).indexOf("value");
     return rows.stream()
-        .filter(row -> row.get(ofMetric).equals(metric))
+        .filter(row -> row.get(metricColumn).equals(metric))
         .map(row -> Double.parseDouble(row.get(value)))
         .toList();
   }

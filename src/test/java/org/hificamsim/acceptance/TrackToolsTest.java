@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Recordings of SUMO and JuPedSim, made as for the shipped sites. The build installs both in a
- * virtual environment; HIFICAMSIM_PYTHON may name another Python that has them.
+ * Tests the import of recordings that SUMO and JuPedSim make as for the shipped sites. The build
+ * installs both in a virtual environment; HIFICAMSIM_PYTHON may name another Python that has them.
  */
 class TrackToolsTest {
   private static final String PYTHON =
@@ -25,23 +25,24 @@ class TrackToolsTest {
   @TempDir Path folder;
 
   @Test
-  void importsStreetOfSumo() throws Exception {
+  void importsRecordingOfSumo() throws Exception {
     assumeTrue(has("sumo"), missing("SUMO", "eclipse-sumo"));
-    Cli imported = made("street", "street-fcd.xml", "fcd", "--size", "1.5");
+    Cli imported = importRecording("street", "street-fcd.xml", "fcd", "--size", "1.5");
     assertTrue(imported.out().contains("of 135 targets "), imported::out);
     assertTrue(imported.out().contains("a sample every 0.5 s"), imported::out);
   }
 
   @Test
-  void importsPassageOfJuPedSim() throws Exception {
+  void importsRecordingOfJuPedSim() throws Exception {
     assumeTrue(has("jupedsim"), missing("JuPedSim", "jupedsim"));
-    Cli imported = made("passage", "passage.txt", "petrack", "--size", "0.5x1.75");
+    Cli imported = importRecording("passage", "passage.txt", "petrack", "--size", "0.5x1.75");
     assertTrue(imported.out().contains("of 60 targets "), imported::out);
     assertTrue(imported.out().contains("a sample every 0.25 s"), imported::out);
   }
 
-  /** The recording, made and imported; its tracks take the place of the shipped ones. */
-  private Cli made(String site, String file, String format, Object... size) throws Exception {
+  /** Makes and imports a recording, and runs the shipped site with its tracks. */
+  private Cli importRecording(String site, String file, String format, Object... size)
+      throws Exception {
     Path recording = folder.resolve(file);
     Path script = Cli.ROOT.resolve("scenarios/make-tracks/" + site + ".py");
     assertEquals(0, run(script.toString(), recording.toString()));

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Tests {@code tradeoff}: its runs equal CamSim's, and its fronts are found by brute force. */
+/** Tests {@code tradeoff}: its runs equal CamSim's, and its fronts equal those of brute force. */
 class TradeoffCommandTest {
   private static final Path SASO = Cli.ROOT.resolve("../shared/reference/camsim/scenarios/SASO");
   private static final Path OWN = Cli.scenario("tutorial-camsim");
@@ -99,7 +99,7 @@ class TradeoffCommandTest {
         Files.readAllBytes(resumed.resolve("results.csv")));
   }
 
-  /** A finished run is written before its thread begins the next one, and is never done again. */
+  /** Each finished run is written before its thread begins the next one, and is not repeated. */
   @Test
   void killsLoseOnlyUnfinishedRuns() throws Exception {
     Object[] words = words(List.of(OWN), 400, 4, "--heterogeneous", "sample:30", "--threads", "2");
@@ -111,17 +111,17 @@ class TradeoffCommandTest {
       Object[] again = join(words, "--shard", "1/1", "--resume", "--out", part);
       Process process = Java.main(System.getProperty("java.class.path"), again);
       int enough = kept.size() + 1 + random.nextInt(35);
-      while (process.isAlive() && whole(journal).size() < enough) {
+      while (process.isAlive() && completeLines(journal).size() < enough) {
         Thread.sleep(1);
       }
       process.destroyForcibly().waitFor();
-      List<String> now = whole(journal);
+      List<String> now = completeLines(journal);
       assertEquals(kept, now.subList(0, kept.size()), "what was finished is not done again");
       kept = now;
     }
     assertTrue(kept.size() >= 3 && kept.size() < 144, kept.size() + " runs before the last call");
     run(words, "--shard", "1/1", "--resume", "--out", part);
-    List<String> all = whole(journal);
+    List<String> all = completeLines(journal);
     assertEquals(kept, all.subList(0, kept.size()));
     assertEquals(144, all.size());
     Path merged = folder.resolve("merged");
@@ -134,8 +134,8 @@ class TradeoffCommandTest {
     }
   }
 
-  /** The lines that have an end. */
-  private static List<String> whole(Path journal) throws IOException {
+  /** Returns the lines of a journal without an incomplete last one. */
+  private static List<String> completeLines(Path journal) throws IOException {
     String text = Files.exists(journal) ? Files.readString(journal) : "";
     return text.substring(0, text.lastIndexOf('\n') + 1).lines().toList();
   }
@@ -186,7 +186,7 @@ class TradeoffCommandTest {
 
   private static Map<String, Double> areas(Path out, Path file) {
     try {
-      return of(out, file).stream()
+      return networkRows(out, file).stream()
           .filter(row -> STRATEGIES.contains(row[3]))
           .collect(
               Collectors.toMap(
@@ -237,8 +237,8 @@ class TradeoffCommandTest {
     Path all = study(files, 150, 3, "--heterogeneous", "all");
     Path found = study(files, 150, 3, "--heterogeneous", "search:21");
     for (Path file : files) {
-      List<String[]> full = of(all, file);
-      List<String[]> some = of(found, file);
+      List<String[]> full = networkRows(all, file);
+      List<String[]> some = networkRows(found, file);
       assertTrue(some.size() <= 27, some.size() + " networks");
       double share = hypervolume(some, full) / hypervolume(full, full);
       assertTrue(share >= 0.99, file + ": " + share);
@@ -250,13 +250,13 @@ class TradeoffCommandTest {
                 .resolve("results.csv")));
   }
 
-  private static List<String[]> of(Path out, Path file) throws IOException {
+  private static List<String[]> networkRows(Path out, Path file) throws IOException {
     return rows(out.resolve("networks.csv")).stream()
         .filter(row -> row[0].equals(name(file)))
         .toList();
   }
 
-  /** The share of a fine grid of utilities and costs that some network beats. */
+  /** Returns the share of a fine grid of utilities and costs that at least one network beats. */
   private static double hypervolume(List<String[]> rows, List<String[]> scale) {
     double[][] networks = utilitiesAndCosts(rows);
     double[][] all = utilitiesAndCosts(scale);
@@ -324,7 +324,7 @@ class TradeoffCommandTest {
         "--detection nothing | unknown detection 'nothing'",
       })
   void rejectsWrongUsageInOneLine(String options, String expected) {
-    Cli.assertRefuses(options, expected, folder.resolve("out"), "tradeoff", OWN);
+    Cli.assertRejects(options, expected, folder.resolve("out"), "tradeoff", OWN);
   }
 
   private Path study(List<Path> files, int steps, int seeds, String... more) throws IOException {

@@ -96,7 +96,7 @@ return [...document.querySelectorAll('svg circle[data-network]')].filter(point =
   }
 
   @Test
-  void answersFirstHowMuchTheFrontSaves() {
+  void beginsWithUtilityAndCostOfFront() {
     open();
     List<WebElement> answers = browser.findAll(".answer");
     assertEquals(2, answers.size(), "a sentence for each scenario");

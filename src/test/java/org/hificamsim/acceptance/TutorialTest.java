@@ -30,7 +30,7 @@ class TutorialTest {
   private static final Pattern TYPED =
       Pattern.compile("(?ms)^\\$ ([^\n]+)\n((?:(?!\\$ )[^\n]*\n)*)");
 
-  /** The name under which a checkout has its jars. */
+  /** The path of the jars in a checkout, as tutorials write it. */
   private static final String JARS = "'cli/build/install/hificamsim/lib/*'";
 
   @TempDir Path folder;
@@ -50,7 +50,7 @@ class TutorialTest {
     Files.createSymbolicLink(folder.resolve("scenarios"), Cli.ROOT.resolve("scenarios"));
     Files.createSymbolicLink(folder.resolve("examples"), Cli.ROOT.resolve("examples"));
     Files.copy(Cli.ROOT.resolve("docs/img/shop.png"), folder.resolve("floor.png"));
-    launcher();
+    writeLauncher();
     for (MatchResult block : blocks(PAGES.resolve(name + ".md")).toList()) {
       if (block.group(2) != null) {
         Files.writeString(folder.resolve(block.group(2)), block.group(3));
@@ -84,7 +84,7 @@ class TutorialTest {
     }
   }
 
-  /** What the page shows, with three dots for anything. */
+  /** Returns the pattern of an output on the page, in which three dots match anything. */
   private static Pattern pattern(String shown) {
     String lines =
         Arrays.stream(shown.strip().split("\\.\\.\\.", -1))
@@ -93,7 +93,7 @@ class TutorialTest {
     return Pattern.compile(lines + "\\s*", Pattern.DOTALL);
   }
 
-  private void launcher() throws IOException {
+  private void writeLauncher() throws IOException {
     Path script = folder.resolve("hificamsim");
     String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
     Files.writeString(
@@ -108,7 +108,7 @@ class TutorialTest {
     assertTrue(script.toFile().setExecutable(true));
   }
 
-  /** Absolute, since commands run in another folder. */
+  /** Returns absolute paths, because commands run in another folder. */
   private static String classPath() {
     return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
         .map(entry -> Path.of(entry).toAbsolutePath().toString())

@@ -33,7 +33,7 @@ class ValidateAndListTest {
     }
   }
 
-  /** The default model was fitted indoors, up to 10 m. */
+  /** Whether a warning is about the default model, which was fitted indoors and up to 10 m. */
   private static boolean isExpected(String line) {
     return line.contains("/tutorial-")
         && (line.contains("(Eq 3.1)") || line.contains("was not fitted on what is asked of it"));
@@ -50,7 +50,7 @@ class ValidateAndListTest {
   }
 
   @Test
-  void checksAllFilesDespiteABadOne() throws IOException {
+  void checksRemainingFilesAfterInvalidOne() throws IOException {
     Path bad = Files.writeString(folder.resolve("bad.xml"), "<root/>");
     Cli validate =
         Cli.run("validate", bad, Cli.scenario("lattice-random"), Cli.scenario("ring-random"));
@@ -59,7 +59,7 @@ class ValidateAndListTest {
     assertTrue(validate.err().startsWith("error: " + bad + ":1:1: "), validate.err());
   }
 
-  /** A scenario with five faults, and a sixth that follows from one of them: no camera named a. */
+  /** A scenario with five faults and one that follows from them: there is no camera named a. */
   private static final String FIVE_FAULTS =
       """
       <root>
@@ -251,14 +251,14 @@ class ValidateAndListTest {
   }
 
   @Test
-  void hasHelpAndCompletionScript() {
+  void printsHelpAndCompletionScript() {
     assertTrue(Cli.run("help", "run").out().startsWith("Usage: hificamsim run "));
     assertTrue(Cli.run("generate-completion").out().startsWith("#!/usr/bin/env bash"));
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"", "list", "walk", "list nothing", "run"})
-  void rejectsWrongCommandsInOneLine(String words) {
+  void rejectsInvalidCommandsInOneLine(String words) {
     Cli wrong = words.isEmpty() ? Cli.run() : Cli.run((Object[]) words.split(" "));
     assertEquals(2, wrong.exit());
     assertEquals(1, wrong.err().lines().count(), wrong.err());

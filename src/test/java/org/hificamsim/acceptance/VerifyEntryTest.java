@@ -26,7 +26,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Verifies honest entries of the benchmark, and some that cheat. */
+/** Tests {@code benchmark verify} with honest entries and with entries that cheat. */
 class VerifyEntryTest {
   private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final String TASK = "passage-v1";
@@ -89,7 +89,7 @@ class VerifyEntryTest {
   }
 
   @Test
-  void readsSecretFromInputWhereOptionHasNone() throws IOException {
+  void readsSecretFromInputIfOptionHasNone() throws IOException {
     Path told = folder.resolve("told");
     Path asked = folder.resolve("asked");
     verify(honest, told);
@@ -105,7 +105,7 @@ class VerifyEntryTest {
   }
 
   @Test
-  void boardSaysWherePolicyCouldReadFiles() throws IOException {
+  void boardMarksEntryWhosePolicyCouldReadFiles() throws IOException {
     Path out = folder.resolve("unconfined");
     verify(honest, out);
     Path found = out.resolve("verified.json");
@@ -118,7 +118,7 @@ class VerifyEntryTest {
   }
 
   @Test
-  void scoreThatIsNoNumberIsNamedWithItsPlace() throws IOException {
+  void reportsPlaceOfScoreThatIsNotANumber() throws IOException {
     Path entry = copy(honest, root -> ((ArrayNode) task(root).get("scores")).set(0, "much"));
     Cli cli = Cli.run("benchmark", "check", entry);
     assertEquals(2, cli.exit());
@@ -143,7 +143,7 @@ class VerifyEntryTest {
     assertTrue(Files.readString(board.resolve("leaderboard.html")).contains("no rank"));
   }
 
-  /** One episode of another policy is spliced in, with its actions and its score. */
+  /** The entry has one episode of another policy, with its actions and its score. */
   @Test
   void marksSplicedEpisodes() throws IOException {
     double score = score(better, 0);
@@ -163,19 +163,19 @@ class VerifyEntryTest {
 
   @Test
   void rejectsEntriesWithoutOnePolicyForAllSeeds() throws IOException {
-    rejects(copy(honest, root -> root.put("policy", "played")), "a list of actions");
+    assertRejected(copy(honest, root -> root.put("policy", "played")), "a list of actions");
     Path seeded = copy(honest, root -> root.put("policy", "onnx:file={seed}.onnx"));
-    rejects(seeded, "has {seed}");
+    assertRejected(seeded, "has {seed}");
     assertEquals(2, Cli.run("benchmark", "check", seeded).exit(), "a board would believe it");
-    rejects(better, "independent-greedy is a bound");
-    rejects(copy(better, root -> root.put("policy", "greedy")), "greedy is a bound");
-    rejects(copy(honest, root -> root.put("policy", "optimal")), "optimal is a bound");
+    assertRejected(better, "independent-greedy is a bound");
+    assertRejected(copy(better, root -> root.put("policy", "greedy")), "greedy is a bound");
+    assertRejected(copy(honest, root -> root.put("policy", "optimal")), "optimal is a bound");
     Path files = copy(honest, root -> root.putObject("files").put("a.onnx", "0"));
-    rejects(files, "policy-a.onnx: no such file");
+    assertRejected(files, "policy-a.onnx: no such file");
     Files.writeString(files.resolve("policy-a.onnx"), "changed");
-    rejects(files, "policy-a.onnx: SHA-256");
+    assertRejected(files, "policy-a.onnx: SHA-256");
     assertEquals(2, Cli.run("benchmark", "check", files).exit(), "a board would believe it");
-    rejects(
+    assertRejected(
         copy(honest, root -> root.putObject("files").put("../entry.json", "0")), "no such file");
   }
 
@@ -183,10 +183,10 @@ class VerifyEntryTest {
   void rejectsPolicyThatReadsFilesOfOthers() throws IOException {
     Path others = Files.writeString(folder.resolve("others.py"), "policy = print");
     Path entry = copy(honest, root -> root.put("policy", "python:" + others));
-    rejects(entry, "others.py, expected files of the entry alone");
+    assertRejected(entry, "others.py, expected files of the entry alone");
     Files.createSymbolicLink(entry.resolve("policy-others.py"), others);
     edit(entry, root -> root.putObject("files").put("others.py", hash(others)));
-    rejects(entry, "policy-others.py is a link or no file");
+    assertRejected(entry, "policy-others.py is a link or no file");
   }
 
   @Test
@@ -201,7 +201,7 @@ class VerifyEntryTest {
     }
   }
 
-  /** Of two policies that were played, the better episode of each seed is entered. */
+  /** The entry has for each seed the better episode of two policies. */
   @Test
   void marksBestOfManyRuns() throws IOException {
     Path other = play("epsilon-greedy");
@@ -231,7 +231,7 @@ class VerifyEntryTest {
     assertTrue(cli.err().contains("--secret has 1 characters, expected 8 or more"), cli.err());
   }
 
-  private static void rejects(Path entry, String reason) {
+  private static void assertRejected(Path entry, String reason) {
     Cli cli = verify(entry, folder.resolve("rejected"));
     assertEquals(2, cli.exit(), cli.out());
     assertEquals(1, cli.err().lines().count(), cli.err());
@@ -245,7 +245,7 @@ class VerifyEntryTest {
         .asDouble();
   }
 
-  /** Writes other actions into an entry, with their hash. */
+  /** Replaces the actions of an entry, and updates their hash. */
   private static void enterRows(Path entry, String rows) throws IOException {
     Path actions = entry.resolve(ACTIONS);
     try (OutputStream out = new GZIPOutputStream(Files.newOutputStream(actions))) {

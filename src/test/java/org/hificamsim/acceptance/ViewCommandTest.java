@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Tests the output and errors of {@code view}. Other tests are about its page. */
+/** Tests the output and errors of {@code view}, without its page. */
 class ViewCommandTest {
   @Test
   void printsAddressAndEndsWhenPageIsClosed() throws Exception {
@@ -53,7 +53,7 @@ class ViewCommandTest {
     }
   }
 
-  /** A class path with {@link Breaking} as a user's policy. */
+  /** Returns a class loader that finds {@link Breaking} as a user's policy. */
   private static URLClassLoader withBreaking(Path folder) throws IOException {
     Path services = Files.createDirectories(folder.resolve("META-INF/services"));
     Files.writeString(services.resolve(ZoomPolicy.class.getName()), Breaking.class.getName());

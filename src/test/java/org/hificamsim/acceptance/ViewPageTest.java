@@ -22,7 +22,7 @@ import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.support.ui.Select;
 
-/** The live view in a browser. */
+/** Tests the live view in a browser. */
 class ViewPageTest {
   private static final List<Dimension> SIZES =
       List.of(
@@ -31,7 +31,7 @@ class ViewPageTest {
           new Dimension(1280, 1000),
           new Dimension(3840, 2000));
 
-  private static final String CURVES_ARE_IN_SIGHT =
+  private static final String CURVES_ARE_VISIBLE =
       "return hificamsim.players.every(({timeline: {kMin}}) =>"
           + " kMin.element.getBoundingClientRect().bottom <= innerHeight)";
 
@@ -53,7 +53,7 @@ class ViewPageTest {
     browser.open(view.address());
   }
 
-  /** The page made no other requests, and its console is empty. */
+  /** Asserts that the page made requests to its own server only, and that its console is empty. */
   @AfterEach
   void assertNoRequestsAndErrors() {
     browser.assertQuietConsole();
@@ -108,13 +108,13 @@ class ViewPageTest {
   }
 
   @Test
-  void showsErrorOfWrongChoice() {
+  void showsErrorOfInvalidChoice() {
     WebElement options = browser.find("[name=options]");
     options.sendKeys("speed=9", Keys.ENTER);
     browser.until("return !hificamsim.fault.hidden");
     assertTrue(browser.text("[role=alert]").contains("speed=9"), browser.text("[role=alert]"));
     assertEquals("zoom-out", browser.run("return hificamsim.runs[0].setup.policy"));
-    assertEquals("speed=9", options.getDomProperty("value")); // while somebody is typing
+    assertEquals("speed=9", options.getDomProperty("value")); // the user is still typing
     new Select(browser.find("[name=policy]")).selectByValue("sarsa");
     browser.until("return hificamsim.runs[0].setup.policy === 'sarsa'");
     browser.run(
@@ -160,7 +160,7 @@ class ViewPageTest {
         "const {field} = hificamsim.players[0], {map, surface: {canvas}} = field;"
             + "const run = hificamsim.runs[0], pose = run.pose(2, run.count - 1);"
             + "const box = canvas.getBoundingClientRect(), drags = [];"
-            + "canvas.setPointerCapture = () => {}; field.pointer.on.drag = (camera, x, y) =>"
+            + "canvas.setPointerCapture = () => {}; field.pointer.handlers.drag = (camera, x, y) =>"
             + "  drags.push([camera, Math.round(map.x(x) - map.x(pose.x)),"
             + "    Math.round(map.y(y) - map.y(pose.y))].join(' '));"
             + "const fire = (name, right, down) => canvas.dispatchEvent(new PointerEvent(name, {"
@@ -187,7 +187,7 @@ class ViewPageTest {
     }
   }
 
-  /** A field may end within a pixel, which must be cleared as well. */
+  /** A field can end within a pixel, which has to be cleared as well. */
   @Test
   void clearsLastPixelsOfField() {
     pause();
@@ -246,7 +246,7 @@ class ViewPageTest {
       new Select(browser.findAll("[name=detection]").get(1)).selectByValue("camsim-range");
       browser.until("return hificamsim.runs[1].setup.detection === 'camsim-range'");
     }
-    beginAgain(); // the same steps each time: the picture is one of the documentation's
+    restart(); // makes the same steps each time, because the documentation shows the picture
     step(600);
     browser.until("return !hificamsim.waiting");
     for (Dimension size : SIZES) {
@@ -257,7 +257,7 @@ class ViewPageTest {
       assertEquals(
           true, browser.run("return document.documentElement.scrollWidth <= innerWidth"), "wide");
       if (size.getWidth() > 400) {
-        browser.until(CURVES_ARE_IN_SIGHT);
+        browser.until(CURVES_ARE_VISIBLE);
       }
       Accessibility.check(browser);
       Accessibility.assertNothingSticksOut(browser, size.getWidth());
@@ -349,12 +349,12 @@ class ViewPageTest {
     assertTrue(share() > 50, share() + " %");
   }
 
-  /** The first of the shares that the page shows, in percent. */
+  /** Returns the first of the shares that the page shows, in percent. */
   private static double share() {
     return ((Number) browser.run("return " + SHARE)).doubleValue();
   }
 
-  /** Waits for the view's answer: the shares change a moment after the cameras do. */
+  /** Waits until the first share fulfils a comparison; it changes a moment after the cameras. */
   private static void untilShare(String comparison) {
     browser.until("return " + SHARE + " " + comparison);
   }
@@ -437,7 +437,7 @@ class ViewPageTest {
   }
 
   @Test
-  void tellsWhichStepsAreShown() {
+  void saysWhichStepsAreShown() {
     pause();
     step(9);
     assertTrue(!browser.find(".messages .notice:not([role])").isDisplayed());
@@ -486,7 +486,7 @@ class ViewPageTest {
   }
 
   @Test
-  void endsWhenThePageIsClosed() throws Exception {
+  void endsWhenPageIsClosed() throws Exception {
     browser.leave();
     assertEquals(0, view.exit(), view.err());
   }
@@ -495,8 +495,8 @@ class ViewPageTest {
     new Select(browser.find("[name=" + name + "]")).selectByValue(value);
   }
 
-  /** Pauses before the second step. */
-  private static void beginAgain() {
+  /** Restarts the simulation, and pauses it after the first step. */
+  private static void restart() {
     pause();
     browser.find("#restart").click();
     browser.until("return hificamsim.runs[0].steps === 1 && hificamsim.playhead.count === 1");

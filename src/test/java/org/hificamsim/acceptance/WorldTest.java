@@ -50,15 +50,15 @@ class WorldTest {
   void recordsDirectionOfCameras() throws IOException {
     List<String> rows = Files.readAllLines(run("random", "1").resolve("zooms.csv"));
     assertEquals("run,step,camera,level,radius,detected,pan,viewing_angle,moving", rows.get(0));
-    List<String[]> ofTurning =
+    List<String[]> rowsOfTurningCamera =
         rows.stream().map(row -> row.split(",")).filter(row -> row[2].equals("a")).toList();
-    assertEquals(40, ofTurning.size());
-    for (String[] row : ofTurning) {
+    assertEquals(40, rowsOfTurningCamera.size());
+    for (String[] row : rowsOfTurningCamera) {
       assertTrue(Math.abs(Double.parseDouble(row[6])) <= 60.001, Arrays.toString(row));
       assertTrue(row[8].equals("0") || row[5].equals("0"), "blind on its way");
     }
-    assertTrue(ofTurning.stream().anyMatch(row -> row[8].equals("1")));
-    assertTrue(ofTurning.stream().anyMatch(row -> row[8].equals("0")));
+    assertTrue(rowsOfTurningCamera.stream().anyMatch(row -> row[8].equals("1")));
+    assertTrue(rowsOfTurningCamera.stream().anyMatch(row -> row[8].equals("0")));
   }
 
   @Test

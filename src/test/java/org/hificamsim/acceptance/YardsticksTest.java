@@ -60,7 +60,7 @@ class YardsticksTest {
   }
 
   @Test
-  void defaultsAreOptimumAndBestFixed() throws IOException {
+  void usesOptimumAndBestFixedByDefault() throws IOException {
     Path named = folder.resolve("named");
     compare(named, "--yardsticks", "optimal,best-fixed");
     for (String file : List.of("results.csv", "metrics.csv", "summary.csv", "yardsticks.csv")) {
@@ -73,7 +73,7 @@ class YardsticksTest {
   }
 
   @Test
-  void boundIsMarkedAndAtLeastTheOptimum() throws IOException {
+  void marksBoundAndNeverFallsBelowOptimum() throws IOException {
     assertEquals("bound at most, bound at most, bound at most", yardsticks(byBound));
     double[] optima = column(byDefault, "yardsticks.csv", "score");
     double[] bounds = column(byBound, "yardsticks.csv", "score");
@@ -92,7 +92,7 @@ class YardsticksTest {
   }
 
   @Test
-  void resultsWithBoundKeepRowsAndColumns() throws IOException {
+  void keepsRowsAndColumnsWithBound() throws IOException {
     List<Map<String, String>> rows = rows(byBound, "results.csv");
     assertEquals(
         Files.readAllLines(byDefault.resolve("results.csv")).get(0),
@@ -114,7 +114,7 @@ class YardsticksTest {
   }
 
   @Test
-  void reachableIsAnIntervalBelowTheOptimum() throws IOException {
+  void reportsReachableAsIntervalBelowOptimum() throws IOException {
     Path reachable = folder.resolve("reachable");
     Cli compare = compare(reachable, "--yardsticks", "reachable:iterations=20");
     assertEquals(0, compare.exit(), compare.err());

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Tests that what a plan claims of zones holds of their area, and is the same in all commands. */
+/** Tests that a plan's claims about zones hold for their area and agree among commands. */
 class ZoneClaimTest {
   private static final Catalogue CATALOGUE = Catalogue.load();
 
@@ -83,7 +83,7 @@ class ZoneClaimTest {
   }
 
   @Test
-  void allCommandsSayTheSame() throws IOException {
+  void allCommandsReportSameSharesOfZones() throws IOException {
     Cli verified = Cli.run("place", "--verify", plan);
     assertEquals(0, verified.exit(), verified.err());
     assertEquals(claimed, ZoneRaster.claims(verified.out()));
@@ -132,12 +132,12 @@ class ZoneClaimTest {
   }
 
   /**
-   * A camera at 3 m whose picture ends 48.0 degrees below the horizon: it sees the crown of a
-   * person of 1.75 m from 1.13 m on, the chin (at 1.517 m) from 1.34 m on.
+   * The camera at 3 m has a picture that ends 48.0 degrees below the horizon. It sees the top of a
+   * person of 1.75 m beyond a distance of 1.13 m, and the chin (at 1.517 m) beyond 1.34 m.
    */
   @ParameterizedTest
   @CsvSource({"'', 75", "'facing=\"180\" facing_tolerance=\"89\"', 33"})
-  void faceIsInThePictureFromTheChinOn(String faces, double share) throws IOException {
+  void countsFaceOnlyWithChinInPicture(String faces, double share) throws IOException {
     Path site =
         Files.writeString(
             folder.resolve("chin.xml"),
@@ -209,7 +209,7 @@ class ZoneClaimTest {
     "facing_tolerance=\"9\", 'has a facing_tolerance, expected facing, too'",
     "max_depression=\"91\", expected degrees above 0 and at most 90"
   })
-  void rejectsSenselessFaces(String attributes, String message) throws IOException {
+  void rejectsInvalidAttributesOfFaces(String attributes, String message) throws IOException {
     assertRejected(
         "facing=\"0\" facing_tolerance=\"7\" max_depression=\"15\"", attributes, message);
   }
@@ -225,7 +225,7 @@ class ZoneClaimTest {
         "=characterise", "=recognize", "zone 'door': detection oodpcvs-2025: level is 'recognize'");
   }
 
-  /** Validates the shop with a text in place of another one. */
+  /** Replaces a text of the shop, and asserts that validation fails with a message. */
   private void assertRejected(String text, String changed, String message) throws IOException {
     Path shop = folder.resolve("shop.xml");
     Files.writeString(shop, Files.readString(shop).replace(text, changed));

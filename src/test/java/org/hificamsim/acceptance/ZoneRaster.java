@@ -27,7 +27,7 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.cells.UsualTarget;
 
-/** Reads the claims of a plan about zones, and checks them by people on a fine raster. */
+/** Reads a plan's claims about zones, and checks them with people on a fine raster. */
 final class ZoneRaster {
   private static final Pattern ZONE = Pattern.compile("zone ([^:]+): ([0-9.]+) %");
   private static final double EDGE = 0.1;
@@ -37,7 +37,7 @@ final class ZoneRaster {
 
   private ZoneRaster() {}
 
-  /** Returns the shares of zones that a command printed, percent. */
+  /** Returns the shares of zones that a command printed, in percent by name of the zone. */
   static Map<String, Double> claims(String output) {
     return ZONE.matcher(output)
         .results()
@@ -45,9 +45,10 @@ final class ZoneRaster {
   }
 
   /**
-   * Puts a person into each free cell of a raster of 0.1 m, and counts those that enough cameras
-   * detect. Of a zone with more than 90,000 cells, 90,000 larger ones have a person each. A person
-   * stands anywhere in a cell, at random, so that edges along the raster cause no error.
+   * Returns the share of people in a zone whom enough cameras detect, in [0, 1]. Each free cell of
+   * a raster of 0.1 m has a person; a zone with more than 90,000 cells has a coarser raster with
+   * that many. A person stands at a random position in the cell, so that edges along the raster
+   * cause no error.
    *
    * @param usual the detection of zones that name none
    */
@@ -81,7 +82,7 @@ final class ZoneRaster {
     return places;
   }
 
-  /** Returns the number of people whom enough cameras detect; others count in part. */
+  /** Returns the number of people whom enough cameras detect; fewer cameras count in proportion. */
   private static double met(Scenario planned, Zone asked, List<Point> places) {
     TargetSpec usual = UsualTarget.of(planned);
     TargetSpec person = asked.facing() == null ? usual : usual.with(TargetSpec.SEEN, Seen.FACE);
@@ -116,7 +117,7 @@ final class ZoneRaster {
     return met;
   }
 
-  /** Whether a camera sees a face as a zone asks, by scalar products instead of headings. */
+  /** Whether a camera sees a face as a zone asks, computed by vectors instead of headings. */
   private static boolean isFaced(TargetSpec face, CameraSpec camera, Zone zone) {
     if (zone.facing() == null) {
       return true;
