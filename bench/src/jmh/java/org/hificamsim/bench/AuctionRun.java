@@ -19,12 +19,12 @@ public final class AuctionRun {
   /**
    * Returns a run with CamSim's order and visibility, and seed 0.
    *
-   * @param comm the number of the communication policy: 0 is Broadcast
+   * @param communicationPolicy the number of the communication policy: 0 is Broadcast
    */
-  public static NetworkRun of(Scenario scenario, ScheduleKind schedule, int comm) {
+  public static NetworkRun of(Scenario scenario, ScheduleKind schedule, int communicationPolicy) {
     Catalogue catalogue = Catalogue.load();
     NetworkSettings settings =
-        NetworkSettings.CAMSIM.withStrategies(List.of(new Strategy(schedule, comm)));
+        NetworkSettings.CAMSIM.withStrategies(List.of(new Strategy(schedule, communicationPolicy)));
     Scenario read = scenario.with(Scenario.ZOOMS, List.of()).with(Scenario.ORDER, StepOrder.CAMSIM);
     Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
     RunPlan plan =

@@ -23,7 +23,7 @@ import org.hificamsim.runs.Settings;
  * detected between a scenario with heights and the same scenario without them.
  */
 public final class FlatWorlds {
-  /** The side of a cell of the floor, metres. */
+  /** The side of a cell of the floor, in metres. */
   private static final double CELL = 0.5;
 
   private FlatWorlds() {}

@@ -127,7 +127,9 @@ public final class GrowthFigure {
         costs.values().stream().mapToDouble(cost -> cost).toArray());
   }
 
-  /** Returns the curve of a cost that grows with the square, as far as it is near the others. */
+  /**
+   * Returns the curve of a cost that grows with the square, up to where it leaves the other curves.
+   */
   private static Curve squared(NavigableMap<Integer, Double> costs) {
     double few = costs.firstKey();
     double many = costs.lastKey();

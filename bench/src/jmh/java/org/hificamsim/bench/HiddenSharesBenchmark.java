@@ -49,7 +49,7 @@ public class HiddenSharesBenchmark {
   @Param({"false", "true"})
   private boolean heights;
 
-  /** The height of walls, metres. */
+  /** The height of walls, in metres. */
   @Param("Infinity")
   private double top;
 

@@ -35,7 +35,7 @@ public class NetworkBenchmark {
   private ScheduleKind schedule;
 
   @Param({"0"})
-  private int comm;
+  private int communicationPolicy;
 
   private NetworkRun run;
 
@@ -44,7 +44,9 @@ public class NetworkBenchmark {
   public void start() {
     run =
         AuctionRun.of(
-            ScenarioReader.read(Path.of(file), name -> true, warning -> {}), schedule, comm);
+            ScenarioReader.read(Path.of(file), name -> true, warning -> {}),
+            schedule,
+            communicationPolicy);
   }
 
   /** Makes one step. */

@@ -8,7 +8,7 @@ import org.hificamsim.agents.search.CoverageProblem;
  * every way than another: at each, a camera detects from 0.4 of the level's radius to the radius,
  * so that it loses what is near when it zooms out.
  *
- * @param sets by camera and level: the targets that are detected, as bits
+ * @param sets for each camera and level, the targets that are detected, as bits
  */
 record OptimumInstance(int targets, long[][] sets) {
   private static final double[] RADII = {2.5, 3.75, 5, 6.25, 7.5};
@@ -20,11 +20,13 @@ record OptimumInstance(int targets, long[][] sets) {
 
   private static final int TARGETS = 40;
 
-  /** How dense cameras are, by the square metres for each of them. */
+  /** The density of cameras, as square metres per camera. */
   enum Density {
-    /** That of the cluster scenarios: a target is within reach of 4 cameras on average. */
+    /**
+     * The density of the cluster scenarios, where a target is within reach of 4 cameras on average.
+     */
     CLUSTER(30.0 * 20 / 14),
-    /** Four times that of the cluster scenarios. */
+    /** Four times the density of the cluster scenarios. */
     FOURFOLD(30.0 * 20 / 14 / 4),
     /** All 200 cameras on the field of the cluster scenarios: about 43 cameras reach a target. */
     CROWD(30.0 * 20 / CAMERAS);

@@ -41,7 +41,7 @@ public class StepOptimumBenchmark {
   /**
    * An instance of the optimum.
    *
-   * @param cameras by camera and level: the targets in sight, as bits
+   * @param cameras for each camera and level, the targets in sight, as bits
    */
   private record Instance(int targets, long[][] cameras) {
     static Instance of(JsonNode json) {

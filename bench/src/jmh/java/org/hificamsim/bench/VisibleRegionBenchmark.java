@@ -80,7 +80,7 @@ public class VisibleRegionBenchmark {
     return VisibleRegion.of(obstacles, cameraX[camera], cameraY[camera]);
   }
 
-  /** Tells by the look-up how much light passes. */
+  /** Returns how much light passes, by the look-up. */
   @Benchmark
   @OperationsPerInvocation(CAMERAS * TARGETS)
   public double transmittance() {
@@ -93,7 +93,7 @@ public class VisibleRegionBenchmark {
     return light;
   }
 
-  /** Tells by testing each wall whether light passes. */
+  /** Returns whether light passes, by testing each wall. */
   @Benchmark
   @OperationsPerInvocation(CAMERAS * TARGETS)
   public int seesWithoutLookUp() {
@@ -106,7 +106,7 @@ public class VisibleRegionBenchmark {
     return seen;
   }
 
-  /** Tells for each of eight targets whether another one hides it. */
+  /** Tests for each of eight targets whether another one hides it. */
   @Benchmark
   @OperationsPerInvocation(CAMERAS * DISCS)
   public int hiddenByTargets() {

@@ -13,7 +13,7 @@ final class Camera {
   private List<Target> detected = new ArrayList<>();
 
   /**
-   * @param radii metres, rising
+   * @param radii the radii in metres, rising
    */
   Camera(double x, double y, List<Double> radii, LevelPolicy policy) {
     this.x = x;

@@ -13,7 +13,7 @@ final class Target {
   private int coverage;
 
   /**
-   * @param heading radians, 0 is +y
+   * @param heading the heading in radians, 0 is +y
    */
   Target(double x, double y, double heading, double speed, double size) {
     this.x = x;

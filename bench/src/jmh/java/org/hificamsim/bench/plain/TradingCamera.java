@@ -31,7 +31,7 @@ final class TradingCamera {
   private final Map<Target, Double> visible = new LinkedHashMap<>();
   private final Set<Target> owned = new LinkedHashSet<>();
 
-  /** By target: the camera that searches for it; null if nobody has owned it yet. */
+  /** The camera that searches for each target; null if nobody has owned the target yet. */
   private final Map<Target, TradingCamera> searched = new LinkedHashMap<>();
 
   private final Set<Target> advertised = new LinkedHashSet<>();
