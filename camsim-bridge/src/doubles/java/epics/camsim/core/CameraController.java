@@ -10,7 +10,7 @@ import java.util.Set;
 
 /** A camera: what it sees, and how it trades objects by an active schedule that broadcasts. */
 public class CameraController {
-  /** The greatest range that CamSim's own zoom gives, metres. */
+  /** The greatest range that CamSim's own zoom gives, in metres. */
   public static final double MAX_VISIBILITY = 20;
 
   private final String name;
@@ -41,32 +41,32 @@ public class CameraController {
     return range >= MAX_VISIBILITY ? MAX_VISIBILITY - MAX_VISIBILITY * 0.2 : range;
   }
 
-  /** Metres. */
+  /** The x coordinate, in metres. */
   public double getX() {
     return x;
   }
 
-  /** Metres. */
+  /** The y coordinate, in metres. */
   public double getY() {
     return y;
   }
 
-  /** Radians. */
+  /** The heading, in radians. */
   public double getHeading() {
     return heading;
   }
 
-  /** Radians. */
+  /** The opening angle, in radians. */
   public double getAngle() {
     return angle;
   }
 
-  /** Metres. */
+  /** The range, in metres. */
   public double getRange() {
     return range;
   }
 
-  /** Metres. */
+  /** The greatest range, in metres. */
   public double getMaxRange() {
     return MAX_VISIBILITY;
   }

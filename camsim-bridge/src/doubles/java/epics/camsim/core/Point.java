@@ -1,6 +1,6 @@
 package epics.camsim.core;
 
-/** A point of the plane, metres. */
+/** A point of the plane, in metres. */
 final class Point {
   final double x;
   final double y;

@@ -70,22 +70,22 @@ public class SimCore {
     }
   }
 
-  /** Left border, metres. */
+  /** The left border of the field, in metres. */
   public double get_min_x() {
     return minX;
   }
 
-  /** Right border, metres. */
+  /** The right border of the field, in metres. */
   public double get_max_x() {
     return maxX;
   }
 
-  /** Lower border, metres. */
+  /** The lower border of the field, in metres. */
   public double get_min_y() {
     return minY;
   }
 
-  /** Upper border, metres. */
+  /** The upper border of the field, in metres. */
   public double get_max_y() {
     return maxY;
   }
@@ -234,7 +234,9 @@ public class SimCore {
         attributes.number("range"));
   }
 
-  /** An object that follows waypoints takes its heading as its speed (behaviour 11, Q3). */
+  /**
+   * Makes an object; one that follows waypoints takes its heading as its speed (behaviour 11, Q3).
+   */
   private static TraceableObject object(Attributes attributes) {
     Point start = new Point(attributes.number("x"), attributes.number("y"));
     double heading = Math.toRadians(attributes.number("heading"));
@@ -282,7 +284,7 @@ public class SimCore {
     }
   }
 
-  /** Writes the table of steps and, beside it, the table of looks. */
+  /** Writes the table of steps and, next to it, the table of looks. */
   public void close_files() throws IOException {
     write(output, HEADER, rows);
     write(output.resolveSibling("looks.csv"), LOOKS_HEADER, looks);

@@ -25,12 +25,12 @@ public class TraceableObject {
     this.speed = speed;
   }
 
-  /** Metres. */
+  /** The x coordinate, in metres. */
   public double getX() {
     return x;
   }
 
-  /** Metres. */
+  /** The y coordinate, in metres. */
   public double getY() {
     return y;
   }

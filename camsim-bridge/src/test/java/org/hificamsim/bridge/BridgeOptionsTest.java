@@ -95,12 +95,12 @@ class BridgeOptionsTest {
 
   @ParameterizedTest
   @MethodSource
-  void messageTellsProblemAndExpectation(String options, String problem) {
+  void messageStatesProblemAndExpectation(String options, String problem) {
     InputException thrown = assertThrows(InputException.class, () -> parse(options));
     assertTrue(thrown.getMessage().startsWith(problem), thrown.getMessage());
   }
 
-  static Stream<Arguments> messageTellsProblemAndExpectation() {
+  static Stream<Arguments> messageStatesProblemAndExpectation() {
     return Stream.of(
         arguments(
             "detection=hifi:orb-line",

@@ -5,8 +5,8 @@ package org.hificamsim.bridge;
  *
  * @param returned the confidence that {@code update_visiblity} returned
  * @param kept the confidence in the camera's visible set; 0 if the object is not in it
- * @param heading the heading of the camera, radians
- * @param angle the opening angle of the camera, radians
+ * @param heading the heading of the camera, in radians
+ * @param angle the opening angle of the camera, in radians
  */
 record Look(
     int step,

@@ -232,7 +232,7 @@ public class Ends {
   }
 
   @Test
-  void camSimWithUnknownAngleUnitIsReportedAndRunsOn() throws IOException {
+  void reportsUnknownAngleUnitAndLetsCamSimRunOn() throws IOException {
     Path classes =
         Variant.of(
             folder,

@@ -91,7 +91,7 @@ class PolicyTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"dense.xml", "so-that-the-policy-starts-over.scenario"})
-  void summaryTellsUnprovenStepsOfOptimum(String name) throws IOException {
+  void summaryReportsUnprovenStepsOfOptimum(String name) throws IOException {
     Path file = Files.writeString(folder.resolve(name), dense());
     String options = "detection=geometric,policy=one-hop:nodes=0," + LENS + ",out=results";
     CamSimRun with = CamSimRun.of(folder.resolve("with"), options, file, 10);

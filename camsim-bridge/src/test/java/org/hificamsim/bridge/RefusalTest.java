@@ -16,7 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Tests the agent where it cannot work. It prints one line, and leaves CamSim alone or stops it.
+ * Tests that the agent prints one line if it cannot work, and either leaves CamSim unchanged or
+ * stops it.
  */
 class RefusalTest {
   private static final String UNCHANGED = "; CamSim runs on unchanged\n";
@@ -34,7 +35,7 @@ class RefusalTest {
   }
 
   @Test
-  void wrongOptionIsReportedInOneLineAndCamSimRunsOn() {
+  void reportsInvalidOptionInOneLineAndLetsCamSimRunOn() {
     CamSimRun with =
         CamSimRun.alone(folder.resolve("with"), "policy=random,zooms=5;3", CamSimRun.CROSSING, 30);
     assertEquals(without.all(), with.all());
@@ -46,7 +47,7 @@ class RefusalTest {
   }
 
   @Test
-  void folderThatIsFileIsReported() {
+  void reportsFileGivenAsFolder() {
     CamSimRun with = CamSimRun.alone(folder.resolve("with"), "out=stdout", CamSimRun.CROSSING, 30);
     assertEquals(without.all(), with.all());
     assertEquals(
@@ -54,7 +55,7 @@ class RefusalTest {
   }
 
   @Test
-  void reasonIsReportedWhyFolderInsideFileCannotBeCreated() {
+  void reportsWhyFolderInsideFileCannotBeCreated() {
     CamSimRun with =
         CamSimRun.alone(folder.resolve("with"), "out=stdout/results", CamSimRun.CROSSING, 30);
     assertEquals(
@@ -85,7 +86,7 @@ class RefusalTest {
     "'class ', SimCore, OtherCore",
     "'method ', CameraController.removeVisibleObject(TraceableObject), hide"
   })
-  void missingClassOrMethodOfCamSimIsReported(String kind, String name, String replacement)
+  void reportsMissingClassOrMethodOfCamSim(String kind, String name, String replacement)
       throws IOException {
     String text = name.replaceAll(".*\\.|\\(.*", "");
     Path classes = Variant.of(folder, text, replacement);
@@ -98,7 +99,7 @@ class RefusalTest {
   }
 
   @Test
-  void classPathWithoutCamSimIsReported() throws IOException {
+  void reportsClassPathWithoutCamSim() throws IOException {
     Path classes =
         Variant.compile(
             folder,
@@ -117,7 +118,7 @@ class RefusalTest {
   }
 
   @Test
-  void membersNotNeededByOptionsMayBeMissing() throws IOException {
+  void acceptsCamSimWithoutMembersThatOptionsDoNotNeed() throws IOException {
     Path classes =
         Variant.of(
             folder,

@@ -148,7 +148,7 @@ public class Threads {
   }
 
   @Test
-  void coreContinuedAfterItsEndZoomsWithinItsOwnRanges() throws IOException {
+  void simulationContinuedAfterItsEndKeepsItsOwnZoomRanges() throws IOException {
     CamSimRun on =
         runStatements(
             "policy=zoom-in,out=results",

@@ -108,7 +108,7 @@ class TracksTest {
   }
 
   @Test
-  void camSimThatSeesObjectsOffTheirTracksIsReported() throws IOException {
+  void reportsCamSimThatSeesObjectsOffTheirTracks() throws IOException {
     Path classes =
         Variant.of(
             folder.resolve("variant"),
@@ -128,14 +128,14 @@ class TracksTest {
   }
 
   @Test
-  void scenarioWithoutTracksIsRefused() throws IOException {
+  void rejectsScenarioWithoutTracks() throws IOException {
     Path plain = forCamSim();
     CamSimRun run = CamSimRun.of(folder.resolve("run"), "tracks=" + plain, plain, 3);
     assertTrue(run.err().contains("which has none, expected a scenario with <tracks>"), run.err());
   }
 
   @Test
-  void scenarioWithHeightsIsRefused() throws IOException {
+  void rejectsScenarioWithHeights() throws IOException {
     Path file = tracked();
     String text = Files.readString(file);
     Files.writeString(file, text.replace(" step='0.5'", " step='0.5' seen='head'"));

@@ -29,8 +29,8 @@ public interface Bridge {
    * Called before {@code TraceableObject.getX()} or {@code getY()} returns.
    *
    * @param isY whether the coordinate is y, else x
-   * @param camSimValue the coordinate that CamSim has, metres
-   * @return the coordinate to return, metres
+   * @param camSimValue the coordinate that CamSim has, in metres
+   * @return the coordinate to return, in metres
    */
   double coordinate(Object object, boolean isY, double camSimValue);
 }

@@ -3,9 +3,9 @@ package org.hificamsim.bridge.camsim;
 /**
  * The direction, opening angle and range of a camera.
  *
- * @param heading radians, 0 is +y and pi/2 is +x; not normalised
- * @param angle the full opening angle, radians
- * @param range metres
+ * @param heading the heading in radians, 0 is +y and pi/2 is +x; not normalised
+ * @param angle the full opening angle, in radians
+ * @param range the range in metres
  */
 public record Aim(double heading, double angle, double range) {
   private static final double TOLERANCE = 1e-9;

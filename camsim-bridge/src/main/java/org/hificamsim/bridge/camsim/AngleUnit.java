@@ -1,7 +1,7 @@
 package org.hificamsim.bridge.camsim;
 
 /**
- * The units in which a method of CamSim may take angles. Whatever it takes, CamSim stores radians
+ * The units in which a method of CamSim may take angles. CamSim itself stores radians in any case
  * (behaviour 2).
  */
 enum AngleUnit {

@@ -31,7 +31,8 @@ public final class Weaver implements ClassFileTransformer {
   /**
    * Starts weaving hooks into classes that are loaded from now on.
    *
-   * @param onFailure called if a class cannot be changed; CamSim then gets the original class
+   * @param onFailure action to run if a class cannot be changed; CamSim then gets the original
+   *     class
    */
   public static void weave(
       Instrumentation instrumentation, Set<Use> uses, Consumer<Throwable> onFailure) {

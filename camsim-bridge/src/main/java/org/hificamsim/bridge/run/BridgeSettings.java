@@ -21,9 +21,9 @@ import org.hificamsim.runs.output.Detail;
  * The settings of the bridge. It has nothing to do if detection, policy, tracks and out are empty.
  *
  * @param detection decides what cameras see; empty for CamSim's own rule
- * @param size the edge of the bounding box of every target, metres, above 0
+ * @param size the edge of the bounding box of every target, in metres, above 0
  * @param policy chooses the views of the cameras; empty if CamSim does
- * @param zooms the radii of all cameras, metres, rising; empty for radii from the range of each
+ * @param zooms the radii of all cameras, in metres, rising; empty for radii from the range of each
  *     camera
  * @param optics the optics of all cameras, each with its own range as its reach
  * @param objective the objective that scores a step

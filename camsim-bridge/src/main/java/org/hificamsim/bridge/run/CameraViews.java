@@ -16,7 +16,7 @@ import org.hificamsim.core.world.ViewSet;
  * camera has one level, its range; given radii then only limit the zoom of its lens.
  *
  * @param steered whether a policy chooses among the views
- * @param radii metres, rising; may be empty
+ * @param radii the radii in metres, rising; may be empty
  * @param optics the optics, whose reach is the range of each camera
  */
 record CameraViews(boolean steered, List<Double> radii, Optional<OpticsSpec> optics) {
@@ -26,8 +26,8 @@ record CameraViews(boolean steered, List<Double> radii, Optional<OpticsSpec> opt
   /**
    * Returns the views of a camera; their number is the same for all cameras.
    *
-   * @param range the range of the camera, metres
-   * @param viewingAngle the full opening angle of the camera, radians
+   * @param range the range of the camera, in metres
+   * @param viewingAngle the full opening angle of the camera, in radians
    */
   ViewSet of(double range, double viewingAngle) {
     return optics

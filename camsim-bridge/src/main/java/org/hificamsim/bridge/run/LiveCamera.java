@@ -13,7 +13,7 @@ import org.hificamsim.core.world.ViewSet;
  * A camera of CamSim with its views, as it was at the last {@link #refresh}.
  *
  * <p>Its mounted heading and its own opening angle are those that CamSim has now, unless {@link
- * #turnTo} caused these: then the values before count.
+ * #turnTo} caused them; in that case it has the values before the turn.
  */
 final class LiveCamera {
   private static final String UNNAMED = "";
@@ -40,7 +40,7 @@ final class LiveCamera {
   /**
    * Creates a camera in its home view; it is offline until the first {@link #refresh}.
    *
-   * @param ownRange the range that CamSim gave it, metres
+   * @param ownRange the range that CamSim gave it, in metres
    */
   LiveCamera(Object handle, double ownRange, CameraViews cameraViews) {
     this.handle = handle;

@@ -52,7 +52,7 @@ final class LiveWorld implements Cooperation {
   private int cameraCapacity;
   private int targetCapacity;
 
-  /** Null before the first step. */
+  /** The world; null before the first step. */
   private World world;
 
   /** An object of CamSim, with its features as its name. */
@@ -61,7 +61,7 @@ final class LiveWorld implements Cooperation {
   /**
    * @param core the {@code SimCore} of CamSim
    * @param visibility decides which objects cameras see, by CamSim's rules
-   * @param size the size of every object, metres
+   * @param size the size of every object, in metres
    */
   LiveWorld(
       CamSim camsim, Object core, Visibility visibility, double size, CameraViews cameraViews) {

@@ -45,7 +45,7 @@ final class Run {
   private final Optional<TrackedObjects> tracked;
   private Optional<ScenarioFile> scenario = Optional.empty();
 
-  /** Null before the first step. */
+  /** The simulation; null before the first step. */
   private Simulation simulation;
 
   private ZoomPolicy policy;

@@ -58,7 +58,7 @@ public record ScenarioFile(
   }
 
   /**
-   * Returns the arguments of the JVM, from the process and from HotSpot. Not every system gives
+   * Returns the arguments of the JVM, from the process and from HotSpot. Some systems do not give
    * those of the process, and none gives a long command line.
    */
   private static Stream<String> arguments() {

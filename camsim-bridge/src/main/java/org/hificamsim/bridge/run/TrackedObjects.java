@@ -10,7 +10,7 @@ import org.hificamsim.core.scenario.track.TrackWalk;
 
 /** Moves CamSim's objects along their tracks. */
 final class TrackedObjects {
-  /** The greatest distance in x or y of an object that is on its track, metres. */
+  /** The greatest distance in x or y of an object that is on its track, in metres. */
   private static final double TOLERANCE = 1e-6;
 
   /** The tracks by the features of their object. */

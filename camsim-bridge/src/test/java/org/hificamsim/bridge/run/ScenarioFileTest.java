@@ -31,14 +31,14 @@ class ScenarioFileTest {
   @TempDir Path folder;
 
   @Test
-  void camerasAndObjectsOfEventsAreCounted() throws IOException {
+  void countsCamerasAndObjectsOfEvents() throws IOException {
     ScenarioFile scenario = read(TEXT);
     assertEquals(
         new ScenarioFile("some", List.of("A", "B"), 3, 3, Map.of("channel", "loss=0.2")), scenario);
   }
 
   @Test
-  void scenarioOfRunIsToldByNamesOfItsCameras() throws IOException {
+  void findsScenarioOfRunByNamesOfItsCameras() throws IOException {
     ScenarioFile scenario = read(TEXT);
     assertTrue(scenario.mayStartWith(List.of("A", "B")));
     assertTrue(
@@ -57,7 +57,7 @@ class ScenarioFileTest {
         "<root><camera name=\"A\">",
         "<!DOCTYPE r [<!ENTITY e 'x'>]><r>&e;</r>"
       })
-  void fileThatIsNoScenarioIsIgnored(String text) throws IOException {
+  void ignoresFileThatIsNoScenario(String text) throws IOException {
     Files.writeString(folder.resolve("some.xml"), text);
     assertEquals(0, ScenarioFile.read(folder.resolve("some.xml")).count());
     assertEquals(0, ScenarioFile.read(folder.resolve("none.xml")).count());
