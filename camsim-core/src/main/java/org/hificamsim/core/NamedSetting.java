@@ -29,7 +29,7 @@ public final class NamedSetting {
         }
       };
 
-  /** Keeps the marks, for a message that becomes part of another one. */
+  /** The notation that keeps the marks, for a message that becomes part of another one. */
   public static final Notation MARKED =
       new Notation() {
         @Override
@@ -43,7 +43,10 @@ public final class NamedSetting {
         }
       };
 
-  /** Unicode's noncharacters, which no text that is exchanged between programs may contain. */
+  /**
+   * A mark made of one of Unicode's noncharacters, which texts exchanged between programs must not
+   * contain.
+   */
   private static final char BEGIN = '\uFDD0';
 
   private static final char EQUALS = '\uFDD1';
@@ -53,7 +56,7 @@ public final class NamedSetting {
       Pattern.compile(
           BEGIN + "([^" + EQUALS + END + "]*)(?:" + EQUALS + "([^" + END + "]*))?" + END);
 
-  /** How the users of a front end write a setting. */
+  /** Writes the names of settings as the users of a front end know them. */
   public interface Notation {
     /** A setting, such as {@code --steps} for {@code steps}. */
     String name(String setting);

@@ -28,7 +28,10 @@ public final class TestScenario {
     return this;
   }
 
-  /** Sets any property but cameras, targets and events; call {@link #field} first if at all. */
+  /**
+   * Sets any property except cameras, targets and events; if {@link #field} is called, it has to
+   * come first.
+   */
   public <T> TestScenario with(Property<Scenario, T> property, T value) {
     settings = settings.with(property, value);
     return this;
@@ -98,8 +101,8 @@ public final class TestScenario {
   }
 
   /**
-   * @param heading the heading, degrees
-   * @param angle the angle, degrees
+   * @param heading the heading, in degrees
+   * @param angle the angle, in degrees
    */
   public static CameraSpec camera(
       String name, double x, double y, double heading, double angle, double range) {
@@ -109,7 +112,7 @@ public final class TestScenario {
   }
 
   /**
-   * @param heading the heading, degrees
+   * @param heading the heading, in degrees
    */
   public static CameraSpec camera(
       String name, double x, double y, double heading, OpticsSpec optics) {
@@ -117,7 +120,7 @@ public final class TestScenario {
   }
 
   /**
-   * @param heading the heading, degrees
+   * @param heading the heading, in degrees
    */
   public static TargetSpec target(
       double features, double x, double y, double heading, double speed) {

@@ -17,7 +17,7 @@ public final class Channel {
   /** The delay of a copy that never arrives. */
   public static final int LOST = -1;
 
-  /** Delivers everything at once; senders need not ask it. */
+  /** The channel that delivers everything at once; senders need not ask it. */
   public static final Channel PERFECT = new Channel();
 
   private static final long STREAM = 0x4348414E;
@@ -26,21 +26,21 @@ public final class Channel {
   private final boolean perfect;
   private final Stations stations;
 
-  /** Null if all cameras receive each other. */
+  /** The links within radio range; null if all cameras receive each other. */
   private final RadioGraph radio;
 
   private final long drawKey;
 
-  /** By camera: the step in which it sent last. */
+  /** The step in which each camera last sent. */
   private final long[] lastSent;
 
-  /** By camera: the number of its last message among those of that step. */
+  /** The number of each camera's last message among its messages of that step. */
   private final int[] messageNumbers;
 
-  /** By camera: the bits in its queue in that step. */
+  /** The bits in each camera's queue in that step. */
   private final long[] queuedBits;
 
-  /** By camera: the number of steps that its last message waits in the queue. */
+  /** The number of steps that each camera's last message waits in the queue. */
   private final int[] queueDelays;
 
   private final long[] dropped;
@@ -114,7 +114,7 @@ public final class Channel {
     return travel == LOST ? LOST : wait + travel;
   }
 
-  /** Returns the steps over all hops to a receiver; a hop begins when the one before it ends. */
+  /** Returns the steps over all hops to a receiver; a hop begins when the previous one ends. */
   private int travelTime(int from, int to, int wait) {
     int previous = radio.predecessor(from, to);
     int before = previous == from || previous == LOST ? 0 : travelTime(from, previous, wait);

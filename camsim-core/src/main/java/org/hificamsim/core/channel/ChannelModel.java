@@ -12,7 +12,7 @@ public final class ChannelModel {
   /** An example for help. */
   public static final String EXAMPLE = "loss=0.2,delay=2,range=30,bandwidth=1000";
 
-  /** Delivers everything at once. */
+  /** The channel that delivers everything at once. */
   public static final ChannelModel PERFECT = parse("perfect");
 
   private static final double MAX_RANGE = 1e9;
@@ -81,17 +81,17 @@ public final class ChannelModel {
     return delay;
   }
 
-  /** The range of a radio, metres; 0 if all cameras reach each other. */
+  /** The range of a radio, in metres; 0 if all cameras reach each other. */
   double range() {
     return range;
   }
 
-  /** Bits that a camera can send in a step; 0 for any number. */
+  /** The number of bits that a camera can send in a step; 0 for no limit. */
   long bandwidth() {
     return bandwidth;
   }
 
-  /** Bits that may wait in a camera's queue. */
+  /** The number of bits that may wait in a camera's queue. */
   long queue() {
     return (long) queue * bandwidth;
   }

@@ -5,8 +5,8 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.registry.Options;
 
 /**
- * How messages are lost: independently, or in bursts by the model of Gilbert (1960) and Elliott
- * (1963), in which a link is in a good or a bad state and may change between steps.
+ * The law by which messages are lost: independently, or in bursts by the model of Gilbert (1960)
+ * and Elliott (1963), in which a link is in a good or a bad state and may change between steps.
  *
  * @param mean the long-term share of messages that are lost, in [0, 1]
  * @param burst the mean duration of the bad state, 1 step or more; 0 for independent losses

@@ -6,7 +6,7 @@ import org.hificamsim.core.InputException;
 
 /**
  * The cameras that receive each other directly, and the shortest paths over others between those
- * that do not. Of equally short paths, the one over cameras with lower numbers is taken.
+ * that do not. If paths are equally short, the one over cameras with lower numbers is taken.
  */
 final class RadioGraph {
   private static final int NONE = -1;
@@ -16,7 +16,7 @@ final class RadioGraph {
   private final double range;
   private final int[][] neighbours;
 
-  /** By sender and receiver: the last camera before the receiver on the path. */
+  /** The last camera before the receiver on the path, by sender and receiver. */
   private final int[][] predecessors;
 
   private int revision;
@@ -61,7 +61,10 @@ final class RadioGraph {
     return predecessors[from][to];
   }
 
-  /** By receiver: the camera before it on the shortest path from a camera (breadth-first). */
+  /**
+   * Returns for each receiver the camera before it on the shortest path from a camera (breadth-
+   * first).
+   */
   private int[] shortestPaths(int from) {
     int[] previous = new int[neighbours.length];
     Arrays.fill(previous, NONE);

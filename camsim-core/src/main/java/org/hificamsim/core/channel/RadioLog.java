@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /** The bits that each camera has sent and received in a step, if they are counted. */
 public final class RadioLog {
-  /** Counts nothing. */
+  /** The log that counts nothing. */
   public static final RadioLog NONE = new RadioLog(0);
 
   private final long[] sent;
@@ -38,7 +38,7 @@ public final class RadioLog {
     }
   }
 
-  /** Counts a message that all other cameras receive that are online. */
+  /** Counts a message that all other online cameras receive. */
   public void receiveAll(int from, long bits, Stations stations) {
     for (int to = 0; to < sent.length; to++) {
       if (to != from && stations.online(to)) {

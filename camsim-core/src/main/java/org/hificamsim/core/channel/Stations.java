@@ -19,9 +19,9 @@ public interface Stations {
   /** Whether the camera is online: added, and not switched off by an event. */
   boolean online(int camera);
 
-  /** The x coordinate of a camera, metres. */
+  /** The x coordinate of a camera, in metres. */
   double cameraX(int camera);
 
-  /** The y coordinate of a camera, metres. */
+  /** The y coordinate of a camera, in metres. */
   double cameraY(int camera);
 }

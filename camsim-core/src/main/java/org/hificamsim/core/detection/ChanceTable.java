@@ -41,7 +41,7 @@ public final class ChanceTable {
   /**
    * Whether a target is detected.
    *
-   * @param distance the distance to the target, metres, at most the radius
+   * @param distance the distance to the target, in metres, at most the radius
    * @param luck the luck, in [0, 1)
    * @param transmittance the part of the target's light that reaches the camera, in [0, 1]
    */
@@ -59,7 +59,7 @@ public final class ChanceTable {
   /**
    * The chance that a target is detected, to about 1e-8, in [0, 1].
    *
-   * @param distance the distance to the target, metres, at most the radius
+   * @param distance the distance to the target, in metres, at most the radius
    */
   public double chance(double distance) {
     return Math.max(0, Math.min(1, chances.value(distance)));

@@ -111,7 +111,7 @@ public final class Detection {
    * Returns the detection for a camera that looks from above or below; its model takes distances
    * over the ground.
    *
-   * @param rise the height of the camera above the part to be seen, metres
+   * @param rise the height of the camera above the part to be seen, in metres
    * @param foreshortened whether targets seen from above look shorter
    */
   public Detection inSpace(double rise, boolean foreshortened) {

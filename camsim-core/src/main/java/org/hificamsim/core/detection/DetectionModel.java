@@ -20,10 +20,10 @@ public interface DetectionModel {
    * Computes the model's value for a target inside the field of view; it is never called for
    * others. A {@link DetectionRule} decides whether a value is detected; NaN never is.
    *
-   * @param size target size q, metres, above 0
-   * @param distance camera-target distance d, metres, 0 or more
-   * @param offAxis angle between heading and target, radians, [0, pi]; NaN if the target stands on
-   *     the camera or rounding leaves no angle
+   * @param size target size q, in metres, above 0
+   * @param distance camera-target distance d, in metres, 0 or more
+   * @param offAxis angle between heading and target, in radians, [0, pi]; NaN if the target stands
+   *     on the camera or rounding leaves no angle
    * @param zoom the camera's zoom level
    * @return the value of the formula, not clamped; see {@link #reported}
    */
@@ -43,7 +43,7 @@ public interface DetectionModel {
 
   /**
    * Whether {@link #confidence} depends on the share of a target that is hidden. Solid obstacles
-   * and, whatever the scenario says of occlusion, nearer targets then hide targets by degrees; one
+   * and nearer targets, regardless of the scenario's occlusion, then hide targets by degrees; one
    * that is hidden entirely is never detected.
    */
   default boolean dependsOnHiddenShare() {

@@ -30,7 +30,7 @@ public final class DistanceTable {
   /**
    * Creates a table with as few bins as are accurate enough.
    *
-   * @param radius the radius, metres, above 0
+   * @param radius the radius, in metres, above 0
    */
   public static DistanceTable of(double radius, DoubleUnaryOperator function) {
     int bins = MIN_BINS;
@@ -45,7 +45,7 @@ public final class DistanceTable {
   /**
    * Creates a table with {@value #MAX_BINS} bins.
    *
-   * @param radius the radius, metres, above 0
+   * @param radius the radius, in metres, above 0
    * @param listener receives the samples of each bin
    */
   DistanceTable(double radius, DoubleUnaryOperator function, SampleListener listener) {
@@ -112,7 +112,7 @@ public final class DistanceTable {
     return Math.min((int) (distance * binsPerMetre), bins - 1);
   }
 
-  /** The function at a distance of at most the radius, metres, to twice {@value #TOLERANCE}. */
+  /** The function at a distance of at most the radius, in metres, to twice {@value #TOLERANCE}. */
   public double value(double distance) {
     int bin = bin(distance);
     double value = cubic(bin * TERMS, 3 * (distance * binsPerMetre - bin));

@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
  * Evaluates a model at distances in space, given distances over the ground.
  *
  * @param model the model, which is evaluated at distances in space
- * @param rise the height of the camera above the part to be seen, metres
+ * @param rise the height of the camera above the part to be seen, in metres
  * @param foreshortened whether an upright target seen from above looks shorter, by the cosine of
  *     the angle of depression: the weak perspective of Hartley and Zisserman, Multiple View
  *     Geometry (2004), section 6.3. The size is the root of the area, so it shrinks by the root of

@@ -7,7 +7,10 @@ package org.hificamsim.core.detection;
 final class NormalDistribution {
   private static final int PER_UNIT = 16;
 
-  /** Beyond this, the distribution function is 0 or 1 within the precision of a double. */
+  /**
+   * The number of standard deviations beyond which the distribution function is 0 or 1 in double
+   * precision.
+   */
   private static final int END = 8;
 
   private static final double[] CDF = new double[2 * END * PER_UNIT + 1];
@@ -23,7 +26,10 @@ final class NormalDistribution {
 
   private NormalDistribution() {}
 
-  /** Marsaglia, "Evaluating the normal distribution", Journal of Statistical Software 11 (2004). */
+  /**
+   * Computes the distribution function by a series (Marsaglia, "Evaluating the normal
+   * distribution", Journal of Statistical Software 11, 2004).
+   */
   private static double bySeries(double x, double density) {
     double term = x;
     double sum = x;

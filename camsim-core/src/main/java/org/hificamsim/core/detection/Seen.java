@@ -8,13 +8,13 @@ public enum Seen {
   HEAD,
   /** The head, from the chin to the highest point. */
   FACE,
-  /** Everything from the ground to the highest point. */
+  /** The whole target, from the ground to its highest point. */
   WHOLE;
 
   /** The height of a head: people are seven and a half heads tall. */
   private static final double HEAD_SHARE = 1 / 7.5;
 
-  /** The lowest height to be seen of a target with this height, metres. */
+  /** The lowest height to be seen of a target with this height, in metres. */
   public double low(double height) {
     return switch (this) {
       case HEAD -> height;
@@ -23,7 +23,7 @@ public enum Seen {
     };
   }
 
-  /** The greatest height to be seen of a target with this height, metres. */
+  /** The greatest height to be seen of a target with this height, in metres. */
   public double high(double height) {
     return this == FEET ? 0 : height;
   }

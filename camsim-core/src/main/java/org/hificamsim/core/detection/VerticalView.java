@@ -3,9 +3,10 @@ package org.hificamsim.core.detection;
 /**
  * The vertical part of a camera's view.
  *
- * @param z height of the lens above the ground, metres, 0 or more; NaN in a flat world
- * @param tilt the tilt of the optical axis below the horizon, radians, [-pi/2, pi/2]
- * @param angle the vertical angle of view, radians, (0, pi); NaN if the view has no vertical limit
+ * @param z height of the lens above the ground, in metres, 0 or more; NaN in a flat world
+ * @param tilt the tilt of the optical axis below the horizon, in radians, [-pi/2, pi/2]
+ * @param angle the vertical angle of view, in radians, (0, pi); NaN if the view has no vertical
+ *     limit
  */
 public record VerticalView(double z, double tilt, double angle) {
   /** The vertical view in a world without heights. */
@@ -13,10 +14,10 @@ public record VerticalView(double z, double tilt, double angle) {
 
   /**
    * Returns the height of the picture of an upright target on the optical axis, in focal lengths.
-   * Where the view has no vertical limit, the lens is assumed to be turned to the target.
+   * If the view has no vertical limit, the lens is assumed to point at the target.
    *
-   * @param distance the distance over the ground, metres
-   * @param height the height of the target, metres
+   * @param distance the distance over the ground, in metres
+   * @param height the height of the target, in metres
    */
   double heightInPicture(double distance, double height) {
     double axis = Double.isNaN(angle) ? StrictMath.atan2(z - height / 2, distance) : tilt;

@@ -3,13 +3,13 @@ package org.hificamsim.core.detection;
 /**
  * A zoom level of a camera, as detection models see it.
  *
- * @param radius farthest reach of the field of view at this level, metres, 0 or more
- * @param narrowestRadius the camera's smallest radius, metres
- * @param widestRadius the camera's largest radius, metres
+ * @param radius farthest reach of the field of view at this level, in metres, 0 or more
+ * @param narrowestRadius the camera's smallest radius, in metres
+ * @param widestRadius the camera's largest radius, in metres
  * @param mountHeight height of the camera above the target plane, metres (Eq 3.2); NaN if the
  *     scenario gives none
- * @param viewingAngle full opening angle, radians, (0, 2 pi]
- * @param angleOfView the horizontal angle of view of the lens, radians, (0, pi]; NaN if the
+ * @param viewingAngle full opening angle, in radians, (0, 2 pi]
+ * @param angleOfView the horizontal angle of view of the lens, in radians, (0, pi]; NaN if the
  *     scenario names no lens, so that each model derives its own (Eqs 3.1 and 3.2)
  * @param pixels the width of the picture; 0 if the scenario does not give it
  * @param vertical the vertical part of the view

@@ -19,7 +19,7 @@ import org.hificamsim.core.InputException;
  * the setting {@code energy} ({@code docs/energy.md}). A {@code EnergyMeter} applies it in a run.
  */
 public final class EnergyModel {
-  /** Nothing takes energy, and nothing is measured. */
+  /** The model in which nothing takes energy and nothing is measured. */
   public static final EnergyModel NONE = new EnergyModel(new LinkedHashMap<>());
 
   /** An example for help. */

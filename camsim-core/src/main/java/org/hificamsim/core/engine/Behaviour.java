@@ -9,7 +9,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * @param cooperation the joint actions of the cameras
  */
 public record Behaviour(ZoomPolicy policy, Cooperation cooperation) {
-  /** Cameras that act by a policy alone. */
+  /** Returns the behaviour of cameras that only follow a policy. */
   public static Behaviour of(ZoomPolicy policy) {
     return new Behaviour(policy, Cooperation.NONE);
   }

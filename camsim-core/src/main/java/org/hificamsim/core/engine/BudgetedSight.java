@@ -64,7 +64,10 @@ final class BudgetedSight {
     return seen < 0 ? 0 : late.fresh(seen);
   }
 
-  /** Returns the index of a target among those that a camera knows; -1 if it is not. */
+  /**
+   * Returns the index of a target among those that a camera knows; -1 if the camera does not know
+   * it.
+   */
   private int index(int target) {
     int index = known - 1;
     while (index >= 0 && found[index] != target) {

@@ -67,12 +67,18 @@ public final class CameraMoves {
     return perCameraAndStep((double) viewChanges);
   }
 
-  /** How far a camera turns in a step on average, degrees, whichever way; 0 without steps. */
+  /**
+   * Returns the mean angle by which a camera turns in a step, in degrees in either direction; 0
+   * without steps.
+   */
   public double meanPanTravel() {
     return perCameraAndStep(Math.toDegrees(panTravel));
   }
 
-  /** How far a lens changes in a step on average, zoom levels, either way; 0 without steps. */
+  /**
+   * Returns the mean change of a lens in a step, in zoom levels in either direction; 0 without
+   * steps.
+   */
   public double meanZoomTravel() {
     return perCameraAndStep(zoomTravel);
   }

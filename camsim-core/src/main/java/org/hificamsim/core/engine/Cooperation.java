@@ -9,7 +9,7 @@ import org.hificamsim.core.visibility.Visibility;
  * handing over targets.
  */
 public interface Cooperation {
-  /** No joint actions. */
+  /** The cooperation without joint actions. */
   Cooperation NONE = new Cooperation() {};
 
   /**

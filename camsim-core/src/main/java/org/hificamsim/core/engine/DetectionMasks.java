@@ -81,7 +81,8 @@ final class DetectionMasks {
   }
 
   /**
-   * The transmittance is computed once for all views, when the first one has the target in view.
+   * Marks the views that detect a target. The transmittance is computed once, when the first view
+   * has the target.
    */
   private void markDetected(
       int camera, int views, int target, double squared, long[] masks, int words) {

@@ -38,7 +38,7 @@ public final class EnergyMeter {
   private final RadioLog radio;
   private final double stepTime;
 
-  /** By figure, then by camera, in joules. */
+  /** The joules of each figure, by camera. */
   private final Map<EnergyFigure, double[]> joules = new EnumMap<>(EnergyFigure.class);
 
   private final double[] left;

@@ -1,7 +1,7 @@
 package org.hificamsim.core.engine;
 
 /**
- * The measures of how cameras have followed targets so far; NaN where there was nothing to measure.
+ * The measures of how cameras have followed targets so far; NaN if there was nothing to measure.
  *
  * @param stepsToFind the steps from the appearance of a target until a camera first covers it, mean
  *     over the appearances that were found

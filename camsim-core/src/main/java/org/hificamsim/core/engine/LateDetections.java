@@ -14,7 +14,7 @@ import org.hificamsim.core.world.World;
  * because it is off, asleep or on its way, drops them.
  */
 public final class LateDetections {
-  /** Nothing is late. */
+  /** The unlimited budget, with which no detection is late. */
   public static final LateDetections NONE = new LateDetections();
 
   /** Detections of one camera, with the positions and confidences of their step. */
@@ -53,10 +53,10 @@ public final class LateDetections {
   private final Cameras cameras;
   private final Targets targets;
 
-  /** By camera: the late detections that come in this step. */
+  /** The late detections of each camera that are processed in this step. */
   private Backlog[] due;
 
-  /** By camera: the late detections that come in the next step. */
+  /** The late detections of each camera that will be processed in the next step. */
   private Backlog[] waiting;
 
   private LateDetections() {
@@ -96,7 +96,7 @@ public final class LateDetections {
    * Processes what a camera detects in this step, and keeps the rest for the next one.
    *
    * @param found the targets that the camera detects; receives those of which it knows
-   * @param confidences by index in {@code found}, in and out
+   * @param confidences the confidences by index in {@code found}, which are read and written
    * @param count the number of targets found
    * @return the number of targets known
    */

@@ -17,7 +17,7 @@ final class LevelTable {
   private final TargetBodies bodies;
   private final boolean open;
 
-  /** By number, then by body. */
+  /** The sights of each level, by level number and body. */
   private LevelSight[] levelSights = {};
 
   private double[] squaredLimit = {};
@@ -81,19 +81,19 @@ final class LevelTable {
     return levelSights[number * bodies.count() + body];
   }
 
-  /** The squared distance from which on nothing is detected, square metres. */
+  /** The squared distance from which nothing is detected, in square metres. */
   double squaredLimit(int number) {
     return squaredLimit[number];
   }
 
-  /** The distance beyond which nothing is detected, metres; rounded up. */
+  /** The distance beyond which nothing is detected, in metres; rounded up. */
   double reach(int number) {
     return reach[number];
   }
 
   /**
-   * The mean over the cameras of the distance at which they see, metres: the geometric mean of the
-   * reaches of the narrowest and the widest level of a lens.
+   * The mean over the cameras of the distance at which they see, in metres: the geometric mean of
+   * the reaches of the narrowest and the widest level of a lens.
    */
   double meanReach() {
     double sum = 0;

@@ -8,7 +8,7 @@ package org.hificamsim.core.engine;
  * @param bits the bits of all messages
  * @param invitations the attempted messages that the network counts
  * @param handovers the number of times that a target passed from one camera to another
- * @param overlap the overlap of fields of view, square metres, by the network's own formula
+ * @param overlap the overlap of fields of view, in square metres, by the network's own formula
  * @param confidence the sum of the relative confidences of cameras
  * @param tracked the share of targets that an owner sees
  */

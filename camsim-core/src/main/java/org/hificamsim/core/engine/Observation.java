@@ -8,7 +8,7 @@ public final class Observation {
   private final Sight sight;
   private final LateDetections late;
 
-  /** Null if cameras process all that they see. */
+  /** The processing budget; null if cameras process all that they see. */
   private final BudgetedSight budgeted;
 
   private final boolean hasPhantoms;

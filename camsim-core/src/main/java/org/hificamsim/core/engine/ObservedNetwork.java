@@ -20,7 +20,7 @@ class ObservedNetwork implements NetworkView {
   final Sight sight;
   private final Observation observation;
 
-  /** Null if cameras process all that they see. */
+  /** The processing budget; null if cameras process all that they see. */
   private final BudgetedSight budgeted;
 
   private final Objective objective;

@@ -12,7 +12,7 @@ import org.hificamsim.core.world.World;
 final class Obstruction {
   private final SightLines lines;
 
-  /** Null unless the detection model depends on hidden shares. */
+  /** The hidden shares; null unless the detection model depends on them. */
   private final HiddenShares shares;
 
   private final boolean open;
@@ -41,8 +41,8 @@ final class Obstruction {
   }
 
   /**
-   * The part of a target's light that reaches a camera, in [0, 1]. Where targets are hidden by
-   * degrees, solid things count by {@link #hiddenShare} alone, unless they hide all of the target.
+   * The part of a target's light that reaches a camera, in [0, 1]. If the model depends on hidden
+   * shares, solid things count only by {@link #hiddenShare}, unless they hide the whole target.
    */
   double transmittance(int camera, int target) {
     if (shares == null) {

@@ -24,10 +24,12 @@ import org.hificamsim.core.world.World;
  * LevelTable#detectsAllInReach}) needs no other test.
  */
 final class Sight {
-  /** Pairs of cameras and targets below which looking at all takes no longer. */
+  /** The number of pairs of cameras and targets below which a grid saves no time. */
   private static final long MIN_PAIRS = 4_000;
 
-  /** The least number of cells that pays: with fewer, most cameras would look at most targets. */
+  /**
+   * The least number of cells that saves time: with fewer, most cameras would look at most targets.
+   */
   private static final int MIN_CELLS = 40;
 
   private final Cameras cameras;
@@ -48,7 +50,7 @@ final class Sight {
   }
 
   /**
-   * @param side the side of the grid's cells, metres; NaN to choose one
+   * @param side the side of the grid's cells, in metres; NaN to choose one
    */
   Sight(World world, Visibility visibility, double side) {
     this.cameras = world.cameras();
@@ -220,7 +222,10 @@ final class Sight {
     return DetectionModel.clamp(value * obstruction.transmittance(camera, target));
   }
 
-  /** Only partly transparent obstacles matter, since a target that is seen is not hidden. */
+  /**
+   * Returns the confidence in a seen target. Only partly transparent obstacles matter, because a
+   * seen target is not hidden.
+   */
   double seenConfidence(int camera, int target, double distance) {
     if (obstruction.byShares()) {
       return confidence(camera, target);
@@ -248,7 +253,7 @@ final class Sight {
         || cameras.pan(camera, view) == cameras.pan(camera, other);
   }
 
-  /** The distance beyond which a camera detects nothing in a view, metres; rounded up. */
+  /** The distance beyond which a camera detects nothing in a view, in metres; rounded up. */
   double reach(int camera, int view) {
     return levels.reach(cameras.zoomNumber(camera, view));
   }

@@ -52,7 +52,7 @@ public final class Simulation {
   private final NetworkView policyView;
   private final StepCoverage coverage;
 
-  /** Null if nothing takes energy. */
+  /** The meter of energy; null if nothing takes energy. */
   private final EnergyMeter energy;
 
   private final StepPhases phases = new StepPhases(this);
@@ -122,7 +122,10 @@ public final class Simulation {
     policy.begin(policyView, new SplittableRandom(seed));
   }
 
-  /** Bounds have no late detections: they bound cameras that process all that they see. */
+  /**
+   * Returns the late detections; bounds have none, since they bound cameras that process all that
+   * they see.
+   */
   private LateDetections lateDetections() {
     ProcessingBudget budget = world.scenario().processing();
     return budget.isUnlimited() || policy instanceof OraclePolicy
@@ -188,7 +191,7 @@ public final class Simulation {
     return phases;
   }
 
-  /** Events come before {@link Sight#beginStep}, which takes in the cameras that they changed. */
+  /** Fires the events, before {@link Sight#beginStep} takes in the cameras that they changed. */
   void fireEvents() {
     if (!started) {
       start();
@@ -215,8 +218,8 @@ public final class Simulation {
   }
 
   /**
-   * All cameras decide from the same snapshot, then all set out for their views and move for the
-   * time of one step, before they look.
+   * Lets all cameras decide from the same snapshot; then all set out for their views and move for
+   * the time of one step, before they look.
    */
   void decide() {
     for (int camera = 0; camera < views.length; camera++) {

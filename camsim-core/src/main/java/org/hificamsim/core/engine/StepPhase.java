@@ -6,7 +6,7 @@ public enum StepPhase {
   FIRE_EVENTS,
   /**
    * Targets move, where they move before cameras look (CamSim's order). In both orders the
-   * cooperation then prepares, and the positions of targets are read that cameras see until the
+   * cooperation then prepares, and the positions are read at which cameras see targets until the
    * step ends.
    */
   MOVE_BEFORE_LOOKING,

@@ -8,7 +8,7 @@ import org.hificamsim.core.world.Targets;
 final class TargetBodies {
   private final Body[] bodies;
 
-  /** By target, the index of its body. */
+  /** The index of each target's body. */
   private final int[] indices;
 
   /**

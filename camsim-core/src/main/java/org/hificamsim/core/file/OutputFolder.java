@@ -59,7 +59,7 @@ public final class OutputFolder implements Closeable {
   }
 
   /**
-   * @param beforeChange called before each change on the disk
+   * @param beforeChange action to run before each change on the disk
    */
   OutputFolder(Path folder, Runnable beforeChange) {
     this.folder = create(folder);

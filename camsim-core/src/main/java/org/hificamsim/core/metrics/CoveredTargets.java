@@ -8,6 +8,9 @@ public interface CoveredTargets {
   /** Whether the target has appeared and not been removed. */
   boolean present(int target);
 
-  /** How many cameras detected the target at the last observation: k_j of thesis 7.1. */
+  /**
+   * Returns the number of cameras that detected the target at the last observation: k_j of thesis
+   * 7.1.
+   */
   int coverage(int target);
 }

@@ -15,16 +15,16 @@ public final class ExpectedCoverage {
   private double[] chanceOfPair = new double[16];
   private double[] chancesByTarget = new double[16];
 
-  /** By target: the end of its chances in {@link #chancesByTarget}. */
+  /** The end of each target's chances in {@link #chancesByTarget}. */
   private int[] ends = {};
 
-  /** By number of cameras: the chance that exactly this number covers the current target. */
+  /** The chance that exactly this number of cameras covers the current target, by number. */
   private double[] exactly = {};
 
-  /** By number of cameras: the chance that at least this number covers the current target. */
+  /** The chance that at least this number of cameras covers the current target, by number. */
   private double[] atLeast = {};
 
-  /** By number of cameras: the chance that at least this number covers each target. */
+  /** The chance that at least this number of cameras covers each target, by number. */
   private double[] allAtLeast = {};
 
   private double[] chanceOfOne = {};

@@ -28,8 +28,8 @@ public sealed interface Objective {
   /**
    * The score of a step.
    *
-   * @param k by target that counts, in the entries from {@code from} (inclusive) to {@code to}
-   *     (exclusive)
+   * @param k the number of cameras that cover each target, in the entries from {@code from}
+   *     (inclusive) to {@code to} (exclusive)
    * @return 0 if no target counts
    */
   double score(int[] k, int from, int to);

@@ -2,7 +2,7 @@ package org.hificamsim.core.metrics;
 
 /**
  * The coverage of the targets in one step (thesis 7.1, Eq 7.1) and the score of the step; measured
- * anew each step.
+ * again in each step.
  *
  * <p>All values are 0 if no target is present.
  */
@@ -103,7 +103,7 @@ public final class StepCoverage {
     return targets;
   }
 
-  /** k_min, the least number of cameras that cover a target (Eq 7.1). */
+  /** Returns k_min, the least number of cameras that cover a target (Eq 7.1). */
   public int kMin() {
     return least;
   }

@@ -8,10 +8,12 @@ import java.math.BigDecimal;
  * unlimited length, which allocate.
  */
 final class Discs {
-  /** Exceeds the relative error of all sums and products here: up to 5 roundings of 2^-53 each. */
+  /**
+   * A bound on the relative error of all sums and products here: up to 5 roundings of 2^-53 each.
+   */
   private static final double ROUNDING = 1e-15;
 
-  /** Smaller squares may have lost digits to underflow. */
+  /** The least reliable square: smaller ones may have lost digits to underflow. */
   private static final double SMALLEST_SQUARE = 1e-200;
 
   private Discs() {}

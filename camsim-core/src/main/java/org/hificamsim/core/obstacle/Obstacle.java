@@ -18,10 +18,10 @@ public sealed interface Obstacle {
   /** The part of the light that passes, in [0, 1]; 0 blocks. */
   double transmittance();
 
-  /** The height of the underside above the ground, metres, 0 or more. */
+  /** The height of the underside above the ground, in metres, 0 or more. */
   double base();
 
-  /** The height of the top, metres, above the base; infinite if nothing can look over it. */
+  /** The height of the top, in metres, above the base; infinite if nothing can look over it. */
   double height();
 
   /** Whether the closed segment between two points, which may be equal, touches the obstacle. */
@@ -37,8 +37,8 @@ public sealed interface Obstacle {
    * line between two heights. These lines fill a triangle; the segment on the ground below the part
    * of it that is between base and top must touch the obstacle.
    *
-   * @param low the lowest height of the upright line, metres
-   * @param high the greatest height of the upright line, metres
+   * @param low the lowest height of the upright line, in metres
+   * @param high the greatest height of the upright line, in metres
    */
   default boolean touches(
       double x1, double y1, double z, double x2, double y2, double low, double high) {
@@ -52,7 +52,7 @@ public sealed interface Obstacle {
             Slab.at(y1, y2, end));
   }
 
-  /** The same obstacle with another base and height, metres. */
+  /** The same obstacle with another base and height, in metres. */
   Obstacle between(double from, double to);
 
   /** The same obstacle from the ground to any height. */
@@ -151,9 +151,9 @@ public sealed interface Obstacle {
   /**
    * A round pillar.
    *
-   * @param x the x coordinate of the centre, metres
-   * @param y the y coordinate of the centre, metres
-   * @param radius the radius, metres, above 0
+   * @param x the x coordinate of the centre, in metres
+   * @param y the y coordinate of the centre, in metres
+   * @param radius the radius, in metres, above 0
    */
   record Pillar(double x, double y, double radius, double transmittance, double base, double height)
       implements Obstacle {

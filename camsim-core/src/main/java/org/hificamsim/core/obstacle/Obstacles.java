@@ -48,9 +48,9 @@ public final class Obstacles {
    * The part of the light that passes in space from a point to an upright line between two heights;
    * each obstacle counts that any line of sight between the two touches.
    *
-   * @param z the height of the first point, metres; NaN in a flat world
-   * @param low the lowest height of the upright line, metres
-   * @param high the greatest height of the upright line, metres
+   * @param z the height of the first point, in metres; NaN in a flat world
+   * @param low the lowest height of the upright line, in metres
+   * @param high the greatest height of the upright line, in metres
    */
   public double transmittance(
       double x1, double y1, double z, double x2, double y2, double low, double high) {

@@ -13,7 +13,7 @@ final class Orientation {
   /** Shewchuk's bound of the rounding error of the determinant: (3 + 16 u) u for u = 2^-53. */
   private static final double ROUNDING = 3.3306690738754716e-16;
 
-  /** The rounding errors of products between these bounds neither underflow nor overflow. */
+  /** The bounds between which the rounding errors of products neither underflow nor overflow. */
   private static final double SMALLEST = 1e-250;
 
   private static final double LARGEST = 1e250;

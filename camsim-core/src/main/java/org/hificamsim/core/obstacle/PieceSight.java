@@ -1,11 +1,13 @@
 package org.hificamsim.core.obstacle;
 
 /**
- * How one piece appears from a standpoint that it does not touch, within one sector: the part of
+ * One piece as it is seen within a sector, from a standpoint that it does not touch: the part of
  * the piece between the two rays that bound the sector. All bounds allow for rounding.
  */
 final class PieceSight {
-  /** Relative to the squared size of the scene: far more than the error of a squared distance. */
+  /**
+   * A bound far above the error of a squared distance, relative to the squared size of the scene.
+   */
   private static final double SLACK = 1e-8;
 
   /** Factors that make a radius certainly too large or too small, in spite of rounding. */
@@ -13,10 +15,10 @@ final class PieceSight {
 
   private static final double TOO_SMALL = 1 - 1e-9;
 
-  /** Crossings at a smaller angle than this are not computed. */
+  /** The least angle at which crossings are computed. */
   private static final double GRAZING = 1e-5;
 
-  /** Far more than the rounding error of a computed crossing, as a part of the edge. */
+  /** A bound far above the rounding error of a computed crossing, as a part of the edge. */
   private static final double CROSSING_ERROR = 1e-9;
 
   private final Pieces pieces;

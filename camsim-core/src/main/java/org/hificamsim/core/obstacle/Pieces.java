@@ -10,33 +10,33 @@ import java.util.stream.IntStream;
  * polygons, and pillars; in flat arrays, in the order of the obstacles.
  */
 final class Pieces {
-  /** By piece: one end of an edge, or the centre of a pillar. */
+  /** The x coordinate of an end of each edge, or of the centre of each pillar, by piece. */
   final double[] x1;
 
   final double[] y1;
 
-  /** By piece: the other end of an edge, or the centre of a pillar. */
+  /** The x coordinate of the other end of each edge, or of the centre of each pillar, by piece. */
   final double[] x2;
 
   final double[] y2;
 
-  /** By piece: the radius of a pillar; 0 for an edge. */
+  /** The radius of each pillar, by piece; 0 for an edge. */
   final double[] radius;
 
-  /** By piece: the number of its obstacle. */
+  /** The number of each piece's obstacle. */
   final int[] obstacle;
 
-  /** By obstacle: the share of the light that passes, 0 to 1. */
+  /** The share of the light that passes each obstacle, from 0 to 1. */
   final double[] transmittance;
 
-  /** By obstacle: whether it reaches from the ground to any height. */
+  /** Whether each obstacle reaches from the ground to any height. */
   final boolean[] full;
 
-  /** By obstacle: its first piece; the last entry is the number of pieces. */
+  /** The first piece of each obstacle; the last entry is the number of pieces. */
   final int[] first;
 
   /**
-   * By obstacle: the bounding box as least x, least y, greatest x, greatest y, rounded outwards.
+   * The bounding box of each obstacle: least x, least y, greatest x, greatest y, rounded outwards.
    */
   private final double[][] boxes;
 

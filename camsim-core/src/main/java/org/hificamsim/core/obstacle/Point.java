@@ -1,4 +1,4 @@
 package org.hificamsim.core.obstacle;
 
-/** A point in the plane, metres. */
+/** A point in the plane, in metres. */
 public record Point(double x, double y) {}

@@ -9,7 +9,7 @@ final class Sector {
   /** The measure of a full turn. */
   static final double ROUND = 4;
 
-  /** Exceeds the rounding error of a measure; far smaller than any sector. */
+  /** A bound on the rounding error of a measure; far smaller than any sector. */
   static final double ROUNDING = 1e-12;
 
   private Sector() {}

@@ -13,14 +13,14 @@ public final class TargetOcclusion {
    * Whether any disc hides a target from a camera. In space a disc is a cylinder on the ground, and
    * the target is hidden if any part of it between two heights is.
    *
-   * @param cameraZ the height of the camera, metres; NaN in a flat world
+   * @param cameraZ the height of the camera, in metres; NaN in a flat world
    * @param target the number of the target among the discs
-   * @param x the x coordinates of the discs' centres, metres
-   * @param y the y coordinates of the discs' centres, metres
-   * @param radius the radii of the discs, metres; a disc of radius 0 or less hides nothing
-   * @param height the heights of the discs, metres
-   * @param low the lowest height of the target to be seen, metres
-   * @param high the greatest height of the target to be seen, metres
+   * @param x the x coordinates of the discs' centres, in metres
+   * @param y the y coordinates of the discs' centres, in metres
+   * @param radius the radii of the discs, in metres; a disc of radius 0 or less hides nothing
+   * @param height the heights of the discs, in metres
+   * @param low the lowest height of the target to be seen, in metres
+   * @param high the greatest height of the target to be seen, in metres
    */
   public static boolean hidden(
       double cameraX,

@@ -23,13 +23,13 @@ public final class VisibleRegion {
   private final Obstacles obstacles;
   private final int sectors;
 
-  /** By sector: the squared distance below which nothing is touched. */
+  /** The squared distance below which nothing is touched, by sector. */
   final float[] clearWithin;
 
-  /** By sector: the squared distance above which everything is hidden. */
+  /** The squared distance above which everything is hidden, by sector. */
   final float[] hiddenBeyond;
 
-  /** By sector: the index of its first entry in {@link #met}; the last entry is the end. */
+  /** The index of each sector's first entry in {@link #met}; the last entry is the end. */
   private final int[] starts;
 
   /**
@@ -113,9 +113,9 @@ public final class VisibleRegion {
    * The transmittance in space from the standpoint, see {@link Obstacles#transmittance(double,
    * double, double, double, double, double, double)}.
    *
-   * @param z the height of the standpoint, metres; NaN in a flat world
-   * @param low the lowest height of the upright line, metres
-   * @param high the greatest height of the upright line, metres
+   * @param z the height of the standpoint, in metres; NaN in a flat world
+   * @param low the lowest height of the upright line, in metres
+   * @param high the greatest height of the upright line, in metres
    */
   public double transmittance(double x, double y, double z, double low, double high) {
     double dx = x - fromX;

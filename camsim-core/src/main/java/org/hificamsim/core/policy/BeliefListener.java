@@ -8,8 +8,8 @@ public interface BeliefListener {
   /**
    * Called for each target that the camera follows.
    *
-   * @param x the x coordinate of the expected position, metres
-   * @param y the y coordinate of the expected position, metres
+   * @param x the x coordinate of the expected position, in metres
+   * @param y the y coordinate of the expected position, in metres
    * @param weight the probability that the target is still there, in [0, 1]
    * @param spread how far it may have strayed from the expected position since it was last seen,
    *     metres
@@ -19,8 +19,8 @@ public interface BeliefListener {
   /**
    * Called for each part of the field that no camera looks at.
    *
-   * @param x the x coordinate of the centre, metres
-   * @param y the y coordinate of the centre, metres
+   * @param x the x coordinate of the centre, in metres
+   * @param y the y coordinate of the centre, in metres
    * @param expected the expected number of targets there
    */
   void unseen(double x, double y, double expected);

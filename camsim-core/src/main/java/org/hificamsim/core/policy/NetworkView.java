@@ -10,18 +10,17 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.visibility.Body;
 
 /**
- * What a deployed camera network knows in one step, read only: the view that {@linkplain ZoomPolicy
- * policies} decide from. All cameras decide from the same snapshot.
+ * The read-only knowledge of a deployed camera network in one step, from which {@linkplain
+ * ZoomPolicy policies} decide. All cameras decide from the same snapshot.
  *
  * <p>It has what the cameras detected at the last observation (nothing before the first one), and
  * what their installer knows: the map of the site, how long moves take, and what a lens and a
  * detection model make of a position. It gives no access to the positions of targets, nor to what a
  * camera would detect at another view: see {@link OracleView}.
  *
- * <p>Two times meet here while a policy decides: {@link #detected} and {@link #coverage} are still
- * those of the last observation, whereas {@link #sees}, {@link #findSeen}, {@link #distance},
- * {@link #bearing} and {@link #confidence} look anew, where targets are now, through the present
- * views.
+ * <p>While a policy decides, {@link #detected} and {@link #coverage} are still those of the last
+ * observation, whereas {@link #sees}, {@link #findSeen}, {@link #distance}, {@link #bearing} and
+ * {@link #confidence} look again, through the present views at the present positions of targets.
  *
  * <p>Cameras and targets are numbered from 0 and keep their numbers for the whole run. The counts
  * include those that a later event adds; until then, and after an event removes them, these are not
@@ -41,7 +40,7 @@ public interface NetworkView extends CoveredTargets, Stations {
   /** The name in the scenario file. */
   String cameraName(int camera);
 
-  /** The heading of a camera, radians: 0 is +y and pi/2 is +x; not normalised. */
+  /** The heading of a camera, in radians: 0 is +y and pi/2 is +x; not normalised. */
   double cameraHeading(int camera);
 
   /** The number of views of this camera, 1 or more. */
@@ -97,8 +96,8 @@ public interface NetworkView extends CoveredTargets, Stations {
   }
 
   /**
-   * How many steps the camera is on its way before the first one that it sees through a view, if it
-   * sets out now: 0 where it does so in the step that is under way.
+   * Returns the number of steps that a camera needs before it sees through a view, if its move
+   * begins now; 0 if it sees in the present step.
    */
   default int stepsTo(int camera, int view) {
     return 0;
@@ -114,14 +113,17 @@ public interface NetworkView extends CoveredTargets, Stations {
     return true;
   }
 
-  /** How far the camera turns within a step, radians; infinite where it turns at once. */
+  /**
+   * Returns the angle by which the camera can turn within a step, in radians; infinite if it turns
+   * at once.
+   */
   default double turnInStep(int camera) {
     return Double.POSITIVE_INFINITY;
   }
 
   /**
-   * How far the camera's lens changes within a step, zoom levels; infinite where it changes at
-   * once.
+   * Returns by how many zoom levels the camera's lens can change within a step; infinite if it
+   * changes at once.
    */
   default double zoomInStep(int camera) {
     return Double.POSITIVE_INFINITY;
@@ -131,8 +133,8 @@ public interface NetworkView extends CoveredTargets, Stations {
   ZoomLevel zoom(int camera, int view);
 
   /**
-   * The distance beyond which the camera detects nothing in one of its views, metres, as far as it
-   * can be known: what the detection model reaches, at most the view's radius.
+   * The distance beyond which the camera detects nothing in one of its views, in metres, as far as
+   * it can be known: what the detection model reaches, at most the view's radius.
    */
   default double reach(int camera, int view) {
     return zoom(camera, view).radius();
@@ -149,7 +151,7 @@ public interface NetworkView extends CoveredTargets, Stations {
   }
 
   /**
-   * The mean width of targets that hide each other, metres; 0 where targets hide nothing. The
+   * The mean width of targets that hide each other, in metres; 0 if targets hide nothing. The
    * installer of the cameras knows it, like the sizes of targets.
    */
   default double hidingWidth() {
@@ -159,7 +161,8 @@ public interface NetworkView extends CoveredTargets, Stations {
   /**
    * The part of a target that cameras have to see where they have heights.
    *
-   * @param size the size of the target, metres; the nearest of those that the scenario has counts
+   * @param size the size of the target, in metres; the nearest of those that the scenario has
+   *     counts
    */
   default Body body(double size) {
     return Body.flat(size);
@@ -172,8 +175,8 @@ public interface NetworkView extends CoveredTargets, Stations {
    * Computes the chance that the camera would detect a target at a position, through each of its
    * views: by its lens and its detection model, which are known, wherever targets are.
    *
-   * @param size the size of the target, metres; the nearest of the sizes that the scenario has is
-   *     taken
+   * @param size the size of the target, in metres; the nearest of the sizes that the scenario has
+   *     is taken
    * @param transmittance the part of the light that obstacles let through, in [0, 1]
    * @param chances receives one entry for each view, in [0, 1]
    * @return whether any chance is above 0; if not, the entries are undefined
@@ -197,7 +200,7 @@ public interface NetworkView extends CoveredTargets, Stations {
    * The {@link #confidence} for a target that the camera {@link #sees}, which is not tested; to
    * about 1e-8, since it may come from a table.
    *
-   * @param distance the distance between the two as {@link #findSeen} has found it, metres
+   * @param distance the distance between the two as {@link #findSeen} has found it, in metres
    */
   default double seenConfidence(int camera, int target, double distance) {
     return confidence(camera, target);
@@ -209,23 +212,25 @@ public interface NetworkView extends CoveredTargets, Stations {
    */
   boolean sees(int camera, int target);
 
-  /** Edge of the bounding box of a target, metres; NaN where that is not known. */
+  /** Returns the edge of the bounding box of a target, in metres; NaN if it is not known. */
   default double targetSize(int target) {
     return Double.NaN;
   }
 
-  /** The distance of a target that the camera {@link #sees}, metres; NaN for any other target. */
+  /**
+   * The distance of a target that the camera {@link #sees}, in metres; NaN for any other target.
+   */
   double distance(int camera, int target);
 
   /**
-   * Where in its picture the camera {@link #sees} a target: radians off the view's axis, to the
-   * right, in [-pi, pi]; NaN for a target that it does not see.
+   * Returns the bearing at which the camera {@link #sees} a target: radians to the right of the
+   * view's axis, in [-pi, pi]; NaN for a target that it does not see.
    */
   double bearing(int camera, int target);
 
   /**
-   * Finds all targets that cameras {@link #sees see}, and where before them they are: the same as
-   * asking for each pair, but much faster.
+   * Finds all targets that cameras {@link #sees see}, with their positions relative to the cameras:
+   * the same as a query for each pair, but much faster.
    *
    * @param pairs receives these pairs, in the order of cameras; what it held before is cleared
    */

@@ -13,10 +13,10 @@ import org.hificamsim.core.metrics.DetectionChances;
  * {@link #certain}; what cameras see follows from these.
  */
 public interface OracleView extends NetworkView, DetectionChances, CoverableTargets {
-  /** The x coordinate of a target, metres. */
+  /** The x coordinate of a target, in metres. */
   double targetX(int target);
 
-  /** The y coordinate of a target, metres. */
+  /** The y coordinate of a target, in metres. */
   double targetY(int target);
 
   /**
@@ -121,13 +121,13 @@ public interface OracleView extends NetworkView, DetectionChances, CoverableTarg
 
   /**
    * Whether {@code view} is proven to detect everything that {@code other} does, wherever the
-   * targets stand; false where that is not known.
+   * targets stand; false if that is not known.
    */
   boolean dominates(int camera, int view, int other);
 
   /**
-   * What the camera would detect at each of its views, where all are now: {@link #detects} for all
-   * targets at once.
+   * Computes what the camera would detect in each of its views at the present positions: {@link
+   * #detects} for all targets at once.
    *
    * @param masks filled with {@code words} words for each view, view 0 first; target t is at bit
    *     {@code t % 64} of word {@code t / 64}

@@ -106,7 +106,7 @@ public final class SeenPairs {
   }
 
   /**
-   * Scratch memory for finding pairs; its content is undefined.
+   * Returns scratch memory for finding pairs; its content is undefined.
    *
    * @param entries the least number of entries
    */
@@ -132,17 +132,17 @@ public final class SeenPairs {
     return targets[pair];
   }
 
-  /** The distance of a pair's target ahead of the camera along the axis of its view, metres. */
+  /** The distance of a pair's target ahead of the camera along the axis of its view, in metres. */
   public double ahead(int pair) {
     return ahead[pair];
   }
 
-  /** The distance of a pair's target to the right of that axis, metres. */
+  /** The distance of a pair's target to the right of that axis, in metres. */
   public double right(int pair) {
     return right[pair];
   }
 
-  /** The distance between camera and target of a pair, metres. */
+  /** The distance between camera and target of a pair, in metres. */
   public double distance(int pair) {
     return Math.sqrt(squared[pair]);
   }

@@ -6,9 +6,9 @@ package org.hificamsim.core.policy;
  */
 public interface TrackingZoomPolicy extends ZoomPolicy {
   /**
-   * How often a sighting of a target was assigned to another track than the sighting of the same
-   * target before (CLEAR MOT; Bernardin and Stiefelhagen 2008), so far; the mean over cameras that
-   * keep tracks of their own. NaN if sightings identify their targets.
+   * Returns how often a sighting of a target was assigned to another track than its previous
+   * sighting (CLEAR MOT; Bernardin and Stiefelhagen 2008), so far; the mean over cameras that keep
+   * tracks of their own. NaN if sightings identify their targets.
    */
   double identitySwitches();
 }

@@ -67,8 +67,8 @@ public final class LimitedProgram implements AutoCloseable {
   }
 
   /**
-   * Sets a deadline in seconds from now, in place of an earlier one. When it passes, the program is
-   * ended and reads of its output fail.
+   * Sets a deadline in seconds from now, in place of an earlier one. After that time, the program
+   * is ended and reading its output fails.
    */
   public void limit(long seconds) {
     deadline.cancel(false);
@@ -80,7 +80,7 @@ public final class LimitedProgram implements AutoCloseable {
   /**
    * The reason why the program ended: the last line of its error output.
    *
-   * @param otherwise the reason if the error output is empty, as of a program that was killed
+   * @param otherwise the reason if the error output is empty, as for a program that was killed
    */
   public String reason(String otherwise) {
     try {

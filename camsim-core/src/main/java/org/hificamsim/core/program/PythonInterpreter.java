@@ -18,7 +18,7 @@ public record PythonInterpreter(Path executable, List<Path> folders) {
   /** The folders of this package, where it is installed, that a policy must not read. */
   private static final List<String> TRUTH = List.of("hificamsim/jars", "hificamsim/scenarios");
 
-  /** By command, what was found. */
+  /** The interpreters that were found, by command. */
   private static final Map<String, PythonInterpreter> FOUND = new HashMap<>();
 
   /** The environment variable that names another interpreter. */

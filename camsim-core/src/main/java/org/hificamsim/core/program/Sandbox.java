@@ -15,8 +15,8 @@ import org.hificamsim.core.file.Io;
  * and reads nothing but that folder, the system's programs and libraries, and what it is given.
  * Folders that are hidden from it are empty.
  *
- * @param seconds the limit of processor time, seconds
- * @param megabytes the limit of memory, megabytes
+ * @param seconds the limit of processor time, in seconds
+ * @param megabytes the limit of memory, in megabytes
  * @param readable the files and folders that the program may read
  * @param hidden folders among these that it sees as empty ones
  */
@@ -27,7 +27,7 @@ public record Sandbox(long seconds, int megabytes, List<Path> readable, List<Pat
   private static final String SCRIPT =
       new String(Io.resource(Sandbox.class, "sandbox.sh"), StandardCharsets.UTF_8);
 
-  /** Limits for a program that reads nothing but its own folder and what the system has. */
+  /** Limits for a program that reads only its own folder and files of the system. */
   public Sandbox(long seconds, int megabytes) {
     this(seconds, megabytes, List.of(), List.of());
   }
@@ -37,7 +37,7 @@ public record Sandbox(long seconds, int megabytes, List<Path> readable, List<Pat
     return Confinement.AVAILABLE;
   }
 
-  /** Found out once, with a program that does nothing. */
+  /** Whether confinement works, which is tested once by a program that does nothing. */
   private static final class Confinement {
     private static final boolean AVAILABLE = isAvailable();
 

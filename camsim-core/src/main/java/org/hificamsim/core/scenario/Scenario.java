@@ -133,8 +133,8 @@ shows, m (ours) | the field's borders
   public static final Property<Scenario, String> NAME = ELEMENT.property("scenario");
 
   /**
-   * The radii that all cameras can choose from, metres, rising; empty for a plain CamSim scenario,
-   * in which each camera has its own range.
+   * The radii that all cameras can choose from, in metres, rising; empty for a plain CamSim
+   * scenario, in which each camera has its own range.
    */
   public static final Property<Scenario, List<Double>> ZOOMS = ELEMENT.property(List.of());
 
@@ -207,12 +207,12 @@ shows, m (ours) | the field's borders
     return find(OBJECTIVE).orElseGet(Objective::kMin);
   }
 
-  /** The height of the cameras, metres, if given. */
+  /** The height of the cameras, in metres, if given. */
   public OptionalDouble mountHeight() {
     return number(MOUNT_HEIGHT);
   }
 
-  /** The duration of a step, seconds. */
+  /** The duration of a step, in seconds. */
   public double stepTime() {
     return get(STEP_TIME);
   }
@@ -353,7 +353,7 @@ shows, m (ours) | the field's borders
         .withTargets(target -> target.without(TargetSpec.SEEN));
   }
 
-  /** The height of a camera, metres; NaN in a flat world. */
+  /** The height of a camera, in metres; NaN in a flat world. */
   public double z(CameraSpec camera) {
     return hasHeights() ? camera.z().orElse(mountHeight().orElse(0)) : Double.NaN;
   }

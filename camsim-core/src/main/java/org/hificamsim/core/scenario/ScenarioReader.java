@@ -43,9 +43,8 @@ import org.hificamsim.core.scenario.xml.XmlParser;
  * Reads scenario files: CamSim's XML, the coverage study's dialect, and this project's optional
  * attributes ({@code docs/scenario-format.md}).
  *
- * <p>Elements are found by name at any depth, as CamSim does. Whatever is malformed, out of range
- * or contradictory is an {@link InputException} with its place; what is merely odd or unknown is a
- * warning.
+ * <p>Elements are found by name at any depth, as CamSim does. Malformed, invalid or contradictory
+ * input causes an {@link InputException} with its place; unusual or unknown input causes a warning.
  */
 public final class ScenarioReader {
   private static final String NO_CAMERA = "no <camera>, expected at least one";

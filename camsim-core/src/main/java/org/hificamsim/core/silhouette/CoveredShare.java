@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * The share of the unit square that shapes cover together: the exact area of their union. A shape
- * is an upright strip whose lower and upper border are straight lines. Most begin below the square,
- * such as people who stand nearer and walls; their union is a {@link Skyline}.
+ * is an upright strip whose lower and upper border are straight lines. Most shapes begin below the
+ * square, such as nearer people and walls; their union is a {@link Skyline}.
  *
  * <p>Reuse one for many squares: it keeps its arrays. Not thread-safe.
  */
@@ -18,7 +18,9 @@ public final class CoveredShare {
   private static final int HIGH_SLOPE = 5;
   private static final int VALUES = 6;
 
-  /** By shape: its values, {@value #VALUES} for each; lines by their height at x = 0 and slope. */
+  /**
+   * The values of each shape, {@value #VALUES} for each; lines by their height at x = 0 and slope.
+   */
   private double[] shapes = new double[16 * VALUES];
 
   private final Skyline standing = new Skyline();
@@ -109,7 +111,9 @@ public final class CoveredShare {
     return !(least < 1) || !(greatest > 0);
   }
 
-  /** Shapes are kept in the order of their lower lines, so that rectangles need no sorting. */
+  /**
+   * Returns where a shape belongs in the order of lower lines, in which rectangles need no sorting.
+   */
   private int insertionPoint(double low) {
     int at = count * VALUES;
     while (at > 0 && shapes[at - VALUES + LOW] > low) {
@@ -160,7 +164,7 @@ public final class CoveredShare {
     return x >= 0 && x <= 1 ? ends + 1 : ends;
   }
 
-  /** Between two cuts no line meets another one or a side of the square. */
+  /** Adds cuts so that between two of them no line meets another one or a side of the square. */
   private int cutWhereLinesMeet(int first) {
     int ends = first;
     for (int i = 0; i < 2 * count; i++) {

@@ -8,13 +8,13 @@ import org.hificamsim.core.world.Targets;
  * the directions in which targets begin finds them, so that no other targets are compared.
  */
 final class Crowd {
-  /** Up to this sine the angle exceeds it by less than a hundredth. */
+  /** The sine below which an angle exceeds its sine by less than a hundredth. */
   private static final double SMALL = 0.1;
 
   private static final int BITS = 30;
   private static final double SCALE = (1 << BITS) / (2 * Math.PI);
 
-  /** More than the rounding of a direction to a key, radians. */
+  /** A margin that exceeds the rounding of a direction to a key, in radians. */
   private static final double MARGIN = 1e-8;
 
   private final Targets targets;
@@ -35,7 +35,7 @@ final class Crowd {
   private final double[] squared;
   private final int[] numbers;
 
-  /** The targets whose directions the sweep is in, by rank, and where they end. */
+  /** The targets that the sweep is passing, by rank, and where they end. */
   private final int[] active;
 
   private final double[] activeEnds;
@@ -78,7 +78,10 @@ final class Crowd {
     sweep();
   }
 
-  /** A target that contains the camera hides nothing, and nothing hides it. */
+  /**
+   * Adds a target in view, unless it contains the camera: then it hides nothing, and nothing hides
+   * it.
+   */
   private void place(int target, double dx, double dy) {
     double width = targets.width(target);
     double distance = dx * dx + dy * dy;
@@ -90,7 +93,7 @@ final class Crowd {
     }
   }
 
-  /** An angle within which a target hides others, rounded up. */
+  /** Returns the angle within which a target hides others, rounded up. */
   private static double halfAngle(double sine) {
     return sine < SMALL ? 1.01 * sine : Math.asin(Math.min(1, sine)) + MARGIN;
   }
@@ -139,7 +142,10 @@ final class Crowd {
     activeCount = kept;
   }
 
-  /** The sign is unpredictable, so its bit is read instead of branching. */
+  /**
+   * Links two targets, the nearer one in front. The sign is unpredictable, so its bit is read
+   * instead of branching.
+   */
   private void link(int rank, int other, double farther) {
     int rankIfNegative = (int) (Double.doubleToRawLongBits(farther) >> 63) & (rank ^ other);
     nearer.add(numbers[other ^ rankIfNegative], numbers[rank ^ rankIfNegative]);

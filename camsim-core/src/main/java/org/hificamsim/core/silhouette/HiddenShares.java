@@ -19,16 +19,16 @@ public final class HiddenShares {
   private final Walls walls;
   private final Silhouette silhouette = new Silhouette();
 
-  /** By camera: its walls, null until they are needed. */
+  /** The walls around each camera; null until they are needed. */
   private final WallSectors[] sectors;
 
-  /** By camera: the targets around it, null until they are needed. */
+  /** The targets around each camera; null until they are needed. */
   private final Crowd[] crowds;
 
-  /** By camera: whether its crowd is up to date. */
+  /** Whether each camera's crowd is up to date. */
   private final boolean[] sorted;
 
-  /** By camera and target; NaN if not computed yet. */
+  /** The hidden shares by camera and target; NaN if not computed yet. */
   private final double[][] shares;
 
   /** Creates the shares of a world. */

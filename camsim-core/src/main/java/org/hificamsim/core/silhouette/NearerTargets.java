@@ -6,7 +6,7 @@ import java.util.Arrays;
 final class NearerTargets {
   private static final int NONE = -1;
 
-  /** By target: its first link. */
+  /** The first link of each target. */
   private final int[] firsts;
 
   private int[] others = new int[64];

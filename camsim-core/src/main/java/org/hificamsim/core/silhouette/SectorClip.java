@@ -2,7 +2,10 @@ package org.hificamsim.core.silhouette;
 
 /** Cuts walls to a sector of the directions from a camera. */
 final class SectorClip {
-  /** Covers rounding where a wall passes through the camera, as a share of the wall's length. */
+  /**
+   * A bound on rounding errors where a wall passes through the camera, as a share of the wall's
+   * length.
+   */
   private static final double ROUNDING = 1e-12;
 
   private final Walls walls;

@@ -43,17 +43,17 @@ final class Silhouette {
     rise = height / distance;
   }
 
-  /** The distance to the target over the ground, metres. */
+  /** The distance to the target over the ground, in metres. */
   double distance() {
     return distance;
   }
 
-  /** Half of the angle that the target fills, radians; rounded up. */
+  /** Returns half of the angle that the target fills, in radians, rounded up. */
   double halfAngle() {
     return half;
   }
 
-  /** An upper bound of the distance over the ground to its ends, metres. */
+  /** An upper bound of the distance over the ground to its ends, in metres. */
   double farthest() {
     return distance * (1 + half * half);
   }
@@ -61,8 +61,8 @@ final class Silhouette {
   /**
    * Puts another target in front, unless it is farther away or contains the camera.
    *
-   * @param dx its distance from the camera along x, metres
-   * @param dy its distance from the camera along y, metres
+   * @param dx its distance from the camera along x, in metres
+   * @param dy its distance from the camera along y, in metres
    */
   void addTarget(double dx, double dy, double width, double height) {
     double squared = dx * dx + dy * dy;
@@ -95,7 +95,10 @@ final class Silhouette {
     }
   }
 
-  /** A pillar is as wide as its part before the target, and as high as its middle. */
+  /**
+   * Adds the shadow of a pillar, as wide as the pillar's part before the target and as high as its
+   * middle.
+   */
   private void addPillar(Walls walls, int piece) {
     double depth = depth(walls.x1(piece), walls.y1(piece));
     double aside = aside(walls.x1(piece), walls.y1(piece));

@@ -12,7 +12,7 @@ final class Skyline {
   private static final int SLOPE = 2;
   private static final int VALUES = 3;
 
-  /** By piece, ascending from 0: where it begins, and its intercept, of at most 1. */
+  /** The start of each piece, ascending from 0, and its intercept, at most 1. */
   private double[] pieces = new double[16 * VALUES];
 
   private double[] otherPieces = new double[16 * VALUES];

@@ -9,7 +9,7 @@ final class WallSector {
   /**
    * A piece in a sector.
    *
-   * @param nearest the least distance of its part in the sector, metres
+   * @param nearest the least distance of its part in the sector, in metres
    */
   private record Part(int piece, double nearest) {}
 
@@ -30,7 +30,7 @@ final class WallSector {
       parts.add(new Part(piece, nearest));
     }
 
-    /** Nothing farther away than a distance in metres is seen in this sector. */
+    /** Notes that nothing beyond a distance, in metres, is seen in this sector. */
     void close(double distance) {
       closedBeyond = Math.min(closedBeyond, distance);
     }
@@ -52,7 +52,7 @@ final class WallSector {
     return pieces[rank];
   }
 
-  /** The least distance of the piece's part in the sector, metres; rounded down. */
+  /** The least distance of the piece's part in the sector, in metres; rounded down. */
   double nearest(int rank) {
     return nearest[rank];
   }

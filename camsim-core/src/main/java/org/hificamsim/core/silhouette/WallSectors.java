@@ -14,7 +14,7 @@ final class WallSectors {
   private final SectorClip clip;
   private final WallSector[] sectors = new WallSector[SECTORS];
 
-  /** By piece: the number of the silhouette that it was put in front of last. */
+  /** The number of the last silhouette that each piece was put in front of. */
   private final long[] added;
 
   private long silhouettes;

@@ -45,7 +45,7 @@ final class Walls {
     return pieces.length;
   }
 
-  /** One end of an edge, or the middle of a pillar, metres. */
+  /** Returns the x coordinate of an end of an edge, or of the middle of a pillar, in metres. */
   double x1(int piece) {
     return pieces[piece].x1;
   }
@@ -54,7 +54,7 @@ final class Walls {
     return pieces[piece].y1;
   }
 
-  /** The other end of an edge, or the middle of a pillar, metres. */
+  /** The other end of an edge, or the middle of a pillar, in metres. */
   double x2(int piece) {
     return pieces[piece].x2;
   }
@@ -63,17 +63,17 @@ final class Walls {
     return pieces[piece].y2;
   }
 
-  /** The radius of a pillar, metres; 0 for an edge. */
+  /** The radius of a pillar, in metres; 0 for an edge. */
   double radius(int piece) {
     return pieces[piece].radius;
   }
 
-  /** The height of the underside, metres. */
+  /** The height of the underside, in metres. */
   double base(int piece) {
     return pieces[piece].base;
   }
 
-  /** The height of the top, metres; may be infinite. */
+  /** The height of the top, in metres; may be infinite. */
   double height(int piece) {
     return pieces[piece].height;
   }

@@ -10,11 +10,11 @@ import java.util.Arrays;
  * <p>All points within r of a position are in the columns {@code column(x - r)} to {@code column(x
  * + r)} of the rows {@code row(y - r)} to {@code row(y + r)}. Points outside the area belong to the
  * outermost cells, and columns and rows never decrease as a coordinate grows, so no point is
- * missed. A grid of one cell keeps its points in the order in which they were added. Nothing is
- * allocated after construction.
+ * missed. A grid of one cell keeps its points in the order in which they were added. It allocates
+ * nothing after construction.
  */
 public final class PointGrid {
-  /** Limits the number of cells, since empty cells take time. */
+  /** The greatest number of cells for each point, since empty cells take time. */
   private static final int MAX_CELLS_PER_POINT = 4;
 
   private final double minX;
@@ -23,7 +23,7 @@ public final class PointGrid {
   private final int columns;
   private final int rows;
 
-  /** By cell, after sorting: the index of its first point. */
+  /** The index of each cell's first point in the order of cells. */
   private final int[] starts;
 
   private final int[] cells;
@@ -60,9 +60,9 @@ public final class PointGrid {
   /**
    * Creates a grid over an area.
    *
-   * @param width the width of the area, metres, above 0
-   * @param height the height of the area, metres, above 0
-   * @param side the side of a cell, metres, 0 or more; enlarged if the area would have too many
+   * @param width the width of the area, in metres, above 0
+   * @param height the height of the area, in metres, above 0
+   * @param side the side of a cell, in metres, 0 or more; enlarged if the area would have too many
    *     cells
    */
   public static PointGrid over(

@@ -6,7 +6,8 @@ package org.hificamsim.core.visibility;
  * <p>Uses the method and coefficients of FDLIBM 5.3 (Sun Microsystems 1993, netlib.org/fdlibm),
  * which defines {@link StrictMath}, in its order of operations, since each is rounded. With asin(x)
  * = x + x {@link #excess}(x^2): near pi/2, acos(x) is pi/2 - asin(x). An angle below pi/3 is twice
- * the arc sine of the sine of its half; for an angle above 2 pi/3 its supplement is computed so.
+ * the arc sine of the sine of its half; for an angle above 2 pi/3, its supplement is computed in
+ * this way.
  */
 final class ArcCosine {
   private static final double HALF_PI = Math.PI / 2;
@@ -30,7 +31,7 @@ final class ArcCosine {
 
   private ArcCosine() {}
 
-  /** Returns the angle of a cosine, radians, in [0, pi]; NaN for NaN and outside [-1, 1]. */
+  /** Returns the angle of a cosine, in radians, in [0, pi]; NaN for NaN and outside [-1, 1]. */
   static double of(double cosine) {
     if (Math.abs(cosine) < 0.5) {
       return HALF_PI - (cosine - (HALF_PI_REST - cosine * excess(cosine * cosine)));

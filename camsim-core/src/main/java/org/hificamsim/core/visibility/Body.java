@@ -5,14 +5,14 @@ import java.util.Comparator;
 /**
  * The part of a target that a camera must see.
  *
- * @param size the size of the target as the detection model takes it, metres, above 0: the edge of
- *     its bounding box, or its height
- * @param low the lowest height that must be seen, metres
- * @param high the greatest height that must be seen, metres
+ * @param size the size of the target as the detection model takes it, in metres, above 0: the edge
+ *     of its bounding box, or its height
+ * @param low the lowest height that must be seen, in metres
+ * @param high the greatest height that must be seen, in metres
  * @param foreshortened whether the target looks shorter from above
  */
 public record Body(double size, double low, double high, boolean foreshortened) {
-  /** Orders bodies by size, then by heights. */
+  /** The order of bodies by size, then by heights. */
   public static final Comparator<Body> ORDER =
       Comparator.comparingDouble(Body::size)
           .thenComparingDouble(Body::low)

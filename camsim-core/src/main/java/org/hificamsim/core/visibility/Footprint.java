@@ -20,8 +20,8 @@ import org.hificamsim.core.obstacle.Point;
  * <p>The border belongs to the footprint. All three conditions are linear, so the lowest and the
  * greatest height decide.
  *
- * @param near the least distance ahead, metres; above {@code far} if the footprint is empty
- * @param far the greatest distance ahead, metres; may be infinite
+ * @param near the least distance ahead, in metres; above {@code far} if the footprint is empty
+ * @param far the greatest distance ahead, in metres; may be infinite
  * @param slope the slope of the sides: metres to the right for each metre ahead
  * @param offset the offset of the sides at the camera, metres to the right
  */
@@ -29,8 +29,8 @@ public record Footprint(double near, double far, double slope, double offset) {
   /**
    * Returns the footprint of a zoom level whose lens has a vertical angle.
    *
-   * @param low the lowest height that must be in the picture, metres
-   * @param high the greatest height that must be in the picture, metres
+   * @param low the lowest height that must be in the picture, in metres
+   * @param high the greatest height that must be in the picture, in metres
    */
   public static Footprint of(ZoomLevel zoom, double low, double high) {
     VerticalView vertical = zoom.vertical();
@@ -67,7 +67,7 @@ public record Footprint(double near, double far, double slope, double offset) {
     return ahead >= near && ahead <= far && Math.abs(right) <= slope * ahead + offset;
   }
 
-  /** Whether the footprint has no point within a distance of the camera, metres. */
+  /** Whether the footprint has no point within a distance of the camera, in metres. */
   public boolean isEmpty(double reach) {
     return corners(reach).isEmpty();
   }

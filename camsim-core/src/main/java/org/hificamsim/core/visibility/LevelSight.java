@@ -11,7 +11,7 @@ import org.hificamsim.core.detection.ZoomLevel;
 
 /**
  * Decides what a camera sees of targets with one body at one zoom level: the steps of {@link
- * Visibility}, with everything precomputed that depends on the detection alone. Safe for use by
+ * Visibility}, with all that depends on the detection alone computed in advance. Safe for use by
  * several threads.
  *
  * <p>If the rule is a threshold and the model ignores the bearing, precomputed distances decide,
@@ -19,10 +19,13 @@ import org.hificamsim.core.detection.ZoomLevel;
  * distance decides nearly all draws. Otherwise the model is evaluated for each target in view.
  */
 public final class LevelSight {
-  /** A cosine below this belongs to an angle above 0, in spite of rounding (less than 1e-14). */
+  /**
+   * The greatest cosine that surely belongs to an angle above 0, in spite of rounding (less than
+   * 1e-14).
+   */
   private static final double MAX_SAFE_COSINE = 1 - 1e-9;
 
-  /** Far more than the rounding error of a cosine or of a square. */
+  /** A bound far above the rounding error of a cosine or of a square. */
   private static final double MARGIN = 1e-9;
 
   private final Detection detection;
@@ -31,7 +34,7 @@ public final class LevelSight {
   private final Body body;
   private final double size;
 
-  /** Null if the lens has no vertical angle. */
+  /** The ground in the picture; null if the lens has no vertical angle. */
   private final Footprint footprint;
 
   private final boolean asInCamSim;
@@ -40,10 +43,10 @@ public final class LevelSight {
   private final boolean allRound;
   private final double cosineOfHalfAngle;
 
-  /** A point whose signed squared cosine is below this is outside the opening angle. */
+  /** The signed squared cosine below which a point is outside the opening angle. */
   private final double outsideBelow;
 
-  /** A point whose signed squared cosine is above this is inside the opening angle. */
+  /** The signed squared cosine above which a point is inside the opening angle. */
   private final double insideAbove;
 
   private final DetectedDistances detectedDistances;
@@ -54,10 +57,10 @@ public final class LevelSight {
   /** The greatest squared distance that may be detected; below 0 if there is none. */
   private final double farthestSquared;
 
-  /** Null if distances decide, or the model has to be evaluated. */
+  /** The tabulated chances; null if distances decide, or the model has to be evaluated. */
   private final ChanceTable chances;
 
-  /** Computed on first use. */
+  /** The tabulated values of the model; null before they are first used. */
   private DistanceTable values;
 
   LevelSight(Detection planar, boolean asInCamSim, ZoomLevel zoom, Body body) {
@@ -94,7 +97,10 @@ public final class LevelSight {
     return body;
   }
 
-  /** Where targets in the picture stand; empty if the lens has no vertical angle. */
+  /**
+   * Returns the ground on which targets in the picture stand; empty if the lens has no vertical
+   * angle.
+   */
   public Optional<Footprint> footprint() {
     return Optional.ofNullable(footprint);
   }
@@ -293,7 +299,7 @@ public final class LevelSight {
    * The {@link #value(Pose, double, double)} to about 1e-8 for a target that is known to be in
    * view.
    *
-   * @param distance from the camera to the target, metres
+   * @param distance the distance from the camera to the target, in metres
    */
   public double value(Pose camera, double x, double y, double distance) {
     if (model.dependsOnBearing()) {

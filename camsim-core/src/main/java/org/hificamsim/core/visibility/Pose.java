@@ -3,9 +3,9 @@ package org.hificamsim.core.visibility;
 /**
  * The position and heading of a camera.
  *
- * @param x the x coordinate, metres
- * @param y the y coordinate, metres
- * @param heading the heading, radians, 0 is +y and pi/2 is +x; not normalised
+ * @param x the x coordinate, in metres
+ * @param y the y coordinate, in metres
+ * @param heading the heading, in radians, 0 is +y and pi/2 is +x; not normalised
  * @param headingX the x component of the unit vector along the heading
  * @param headingY the y component of that unit vector
  */
@@ -20,14 +20,14 @@ public record Pose(double x, double y, double heading, double headingX, double h
     return angle == 0 ? this : of(x, y, heading + angle);
   }
 
-  /** The squared distance to a point, square metres. */
+  /** The squared distance to a point, in square metres. */
   public double squaredDistance(double pointX, double pointY) {
     double dx = pointX - x;
     double dy = pointY - y;
     return dx * dx + dy * dy;
   }
 
-  /** The distance to a point, metres. */
+  /** The distance to a point, in metres. */
   public double distance(double pointX, double pointY) {
     return Math.sqrt(squaredDistance(pointX, pointY));
   }
@@ -41,20 +41,22 @@ public record Pose(double x, double y, double heading, double headingX, double h
     return along(pointX, pointY) >= cosine * distance(pointX, pointY);
   }
 
-  /** The distance of a point ahead of the pose, metres; below 0 for a point behind it. */
+  /** The distance of a point ahead of the pose, in metres; below 0 for a point behind it. */
   double along(double pointX, double pointY) {
     double dx = pointX - x;
     double dy = pointY - y;
     return dx * headingX + dy * headingY;
   }
 
-  /** The distance of a point to the right of the pose, metres; below 0 for a point to its left. */
+  /**
+   * The distance of a point to the right of the pose, in metres; below 0 for a point to its left.
+   */
   double aside(double pointX, double pointY) {
     return (pointX - x) * headingY - (pointY - y) * headingX;
   }
 
   /**
-   * The angle between the heading and a point, radians, computed like CamSim; NaN for the pose's
+   * The angle between the heading and a point, in radians, computed like CamSim; NaN for the pose's
    * own position, and if rounding takes the cosine past 1.
    */
   public double offAxis(double pointX, double pointY) {

@@ -15,8 +15,8 @@ public record UprightPicture(double width, double height) {
    *
    * @param ahead metres ahead of the camera, along its heading
    * @param right metres to its right
-   * @param bodyWidth the body width, metres
-   * @param bodyHeight the body height, metres
+   * @param bodyWidth the body width, in metres
+   * @param bodyHeight the body height, in metres
    */
   public static UprightPicture of(
       VerticalView view, double ahead, double right, double bodyWidth, double bodyHeight) {

@@ -75,7 +75,7 @@ public final class Visibility {
   /**
    * Returns what {@link #at(ZoomLevel, Body)} does, for a flat world.
    *
-   * @param size the size of the targets, metres
+   * @param size the size of the targets, in metres
    */
   public LevelSight at(ZoomLevel zoom, double size) {
     return at(zoom, Body.flat(size));
@@ -104,7 +104,7 @@ public final class Visibility {
    * Enlarges a computed distance by more than its rounding error, so that no coordinate of two
    * points at that distance differs by more.
    *
-   * @param distance the distance, metres
+   * @param distance the distance, in metres
    */
   public static double roundedUp(double distance) {
     return distance * (1 + 1e-9) + 1e-150; // squares of less may be 0

@@ -14,7 +14,7 @@ import org.hificamsim.core.visibility.Pose;
  * next. It starts at its widest level, ahead.
  */
 public final class Cameras {
-  /** Stands for the view of a camera that moves blindly and sees nothing. */
+  /** The view of a camera that moves blindly and sees nothing. */
   public static final int NO_VIEW = -1;
 
   private static final Pose NOWHERE = Pose.of(0, 0, 0);
@@ -23,7 +23,7 @@ public final class Cameras {
   private final Mount[] mounts;
   private final int[] view;
 
-  /** By camera: its pose if it was turned to any angle by {@link #aim}, else null. */
+  /** The pose of each camera that {@link #aim} turned to any angle; null for the others. */
   private final Pose[] aimedPoses;
 
   private final double[] aimedPans;
@@ -149,24 +149,24 @@ public final class Cameras {
     return online[camera];
   }
 
-  /** Where the camera stands and which way it is mounted. */
+  /** Returns the position of the camera and the heading at which it is mounted. */
   public Pose pose(int camera) {
     return mounts[camera].pose;
   }
 
-  /** Where the camera stands and which way it looks in one of its views. */
+  /** Returns the position of the camera and the direction in which it looks in one of its views. */
   public Pose pose(int camera, int atView) {
     return aimedPoses[camera] != null && atView == view[camera]
         ? aimedPoses[camera]
         : mounts[camera].poses[atView];
   }
 
-  /** The x coordinate, metres. */
+  /** The x coordinate, in metres. */
   public double x(int camera) {
     return mounts[camera].pose.x();
   }
 
-  /** The y coordinate, metres. */
+  /** The y coordinate, in metres. */
   public double y(int camera) {
     return mounts[camera].pose.y();
   }
@@ -221,20 +221,23 @@ public final class Cameras {
     return mounts[camera].set.moving() == Moving.BLIND;
   }
 
-  /** How far the camera turns within a step, radians; infinite where it turns at once. */
+  /**
+   * Returns the angle by which the camera can turn within a step, in radians; infinite if it turns
+   * at once.
+   */
   public double turnInStep(int camera) {
     return stepTime * mounts[camera].set.panSpeed();
   }
 
   /**
-   * How far the camera's lens changes within a step, zoom levels; infinite where it changes at
-   * once.
+   * Returns by how many zoom levels the camera's lens can change within a step; infinite if it
+   * changes at once.
    */
   public double zoomInStep(int camera) {
     return stepTime * mounts[camera].set.zoomSpeed();
   }
 
-  /** How far the camera sees now, metres; 0 while it moves blindly. */
+  /** Returns the present reach of the camera, in metres; 0 while it moves blindly. */
   public double range(int camera) {
     int seenView = seeing(camera);
     return seenView == NO_VIEW ? 0 : mounts[camera].zooms[seenView].radius();
@@ -277,7 +280,7 @@ public final class Cameras {
     return mounts[camera].set.tilt(atView);
   }
 
-  /** Height of the lens, metres; NaN in a flat world. */
+  /** Returns the height of the lens, in metres; NaN in a flat world. */
   public double z(int camera) {
     return mounts[camera].zooms[0].vertical().z();
   }

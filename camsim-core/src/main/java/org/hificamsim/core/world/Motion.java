@@ -14,12 +14,12 @@ final class Motion {
   private final double[] zoom;
   private final boolean[] moving;
 
-  /** By camera: the view that it passes while it is on its way. */
+  /** The view that each camera passes during a move. */
   private final int[] passing;
 
   /**
    * @param views the views of each camera
-   * @param stepTime the step time, seconds
+   * @param stepTime the step time, in seconds
    */
   Motion(ViewSet[] views, double stepTime) {
     this.views = views;
@@ -99,7 +99,10 @@ final class Motion {
     return (int) Math.max(0, Math.ceil(Math.max(turning, zooming) / stepTime / (1 + 1e-6)) - 1);
   }
 
-  /** Allows for rounding: five steps of a fifth make a whole. */
+  /**
+   * Whether a difference is covered within a step, allowing for rounding: five steps of a fifth
+   * make a whole.
+   */
   private boolean isWithin(double difference, double speed) {
     return Math.abs(difference) <= speed * stepTime * (1 + 1e-6);
   }

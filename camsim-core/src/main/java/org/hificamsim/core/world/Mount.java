@@ -7,18 +7,18 @@ import org.hificamsim.core.visibility.Pose;
 
 /** A camera's pose and views. It is immutable, so that worlds can share it. */
 final class Mount {
-  /** Where the camera stands and which way it is mounted. */
+  /** The position of the camera and the heading at which it is mounted. */
   final Pose pose;
 
   final ViewSet set;
 
-  /** By view: its zoom level. */
+  /** The zoom level of each view. */
   final ZoomLevel[] zooms;
 
-  /** By view: the number that equal zoom levels share. */
+  /** The number that equal zoom levels share, by view. */
   final int[] zoomNumbers;
 
-  /** By view: where the camera stands and which way it looks. */
+  /** The position of the camera and the direction in which it looks, by view. */
   final Pose[] poses;
 
   /**

@@ -19,10 +19,10 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
  * <p>Cameras and targets are numbered in the order of the file: first those of the start, then
  * those that events add, in the order in which they appear.
  *
- * @param removed by event: the target that it removes, or {@link #NONE}; computed in advance, since
- *     a search within a step would take time and allocate
- * @param mounts by camera: its mount when it is added
- * @param cameraNumbers by name; the first one if several cameras share a name
+ * @param removed for each event, the target that it removes, or {@link #NONE}; computed in advance,
+ *     since a search within a step would take time and allocate
+ * @param mounts for each camera, its mount when it is added
+ * @param cameraNumbers the camera numbers by name; the first one if several cameras share a name
  */
 record Participants(
     Scenario scenario,
@@ -33,7 +33,7 @@ record Participants(
     List<Mount> mounts,
     Map<String, Integer> cameraNumbers,
     List<TargetSpec> targets) {
-  /** Stands for no camera, or no target. */
+  /** The number of no camera, or of no target. */
   static final int NONE = -1;
 
   /** Numbers the cameras and targets of a scenario. */

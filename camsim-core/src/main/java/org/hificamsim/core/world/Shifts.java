@@ -7,7 +7,7 @@ import org.hificamsim.core.scenario.spec.DutyCycle;
 final class Shifts {
   private final Cameras cameras;
 
-  /** By camera; null for a camera that is always awake. */
+  /** The duty cycle of each camera; null for a camera that is always awake. */
   private final DutyCycle[] cycles;
 
   private final boolean[] sleeps;
@@ -40,7 +40,7 @@ final class Shifts {
     return sleeps[camera];
   }
 
-  /** Lets a camera be switched off for another reason. */
+  /** Marks a camera as not sleeping, since it is switched off for another reason. */
   void end(int camera) {
     sleeps[camera] = false;
   }

@@ -8,8 +8,8 @@ import org.hificamsim.core.scenario.spec.Foreshortening;
 import org.hificamsim.core.scenario.spec.Occlusion;
 
 /**
- * Says what stands between cameras and targets: obstacles, and other targets if the scenario lets
- * them hide each other. Safe for use by several threads between two refreshes.
+ * Finds what stands between cameras and targets: obstacles, and other targets if the scenario lets
+ * them hide each other. Between two refreshes, several threads may use it.
  */
 public final class SightLines {
   private final ScenarioObstacles obstacles;
@@ -68,7 +68,7 @@ public final class SightLines {
     return obstacles.map();
   }
 
-  /** The mean width of targets, metres, if they hide each other; else 0. */
+  /** The mean width of targets, in metres, if they hide each other; else 0. */
   public double hidingWidth() {
     return byTargets ? targets.meanWidth() : 0;
   }

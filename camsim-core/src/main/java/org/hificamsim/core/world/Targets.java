@@ -27,10 +27,10 @@ public final class Targets {
   private final double[] width;
   private final double[] height;
 
-  /** By target: what must be seen of it; null for the common rule. */
+  /** The part of each target that has to be seen; null for the common rule. */
   private final Seen[] seen;
 
-  /** By target: the radius of the disc that hides others, metres; 0 while it is not present. */
+  /** The radius of the disc by which each target hides others, in metres; 0 while it is absent. */
   private final double[] occlusionRadius;
 
   private final boolean[] present;
@@ -103,17 +103,17 @@ public final class Targets {
     return present[target];
   }
 
-  /** The x coordinate, metres. */
+  /** The x coordinate, in metres. */
   public double x(int target) {
     return x[target];
   }
 
-  /** The y coordinate, metres. */
+  /** The y coordinate, in metres. */
   public double y(int target) {
     return y[target];
   }
 
-  /** The heading, radians: 0 is +y and pi/2 is +x; not normalised. */
+  /** The heading, in radians: 0 is +y and pi/2 is +x; not normalised. */
   public double heading(int target) {
     return heading[target];
   }
@@ -123,22 +123,22 @@ public final class Targets {
     return speed[target];
   }
 
-  /** Edge of the bounding box q, metres. */
+  /** Returns the edge q of the bounding box, in metres. */
   public double size(int target) {
     return size[target];
   }
 
-  /** The width of the target, seen from above, metres. */
+  /** The width of the target, seen from above, in metres. */
   public double width(int target) {
     return width[target];
   }
 
-  /** The height of the target, metres. */
+  /** The height of the target, in metres. */
   public double height(int target) {
     return height[target];
   }
 
-  /** The size of the target as the detection model takes it: its size or its height, metres. */
+  /** The size of the target as the detection model takes it: its size or its height, in metres. */
   public double seenSize(int target) {
     return byHeight ? height[target] : size[target];
   }
@@ -154,12 +154,12 @@ public final class Targets {
     return seen[target] == null ? commonSeen : seen[target];
   }
 
-  /** The lowest height of the target that must be seen, metres. */
+  /** The lowest height of the target that must be seen, in metres. */
   public double low(int target) {
     return seen(target).low(height[target]);
   }
 
-  /** The greatest height of the target that must be seen, metres. */
+  /** The greatest height of the target that must be seen, in metres. */
   public double high(int target) {
     return seen(target).high(height[target]);
   }
@@ -169,7 +169,7 @@ public final class Targets {
     return new Body(seenSize(target), low(target), high(target), foreshortened);
   }
 
-  /** The mean width of all targets so far, metres; 0 if there are none. */
+  /** The mean width of all targets so far, in metres; 0 if there are none. */
   double meanWidth() {
     double sum = 0;
     int known = 0;
@@ -180,7 +180,9 @@ public final class Targets {
     return sum / Math.max(1, known);
   }
 
-  /** Whether another target hides this one from a point, metres; fromZ is NaN in a flat world. */
+  /**
+   * Whether another target hides this one from a point, in metres; fromZ is NaN in a flat world.
+   */
   boolean isHidden(int target, double fromX, double fromY, double fromZ) {
     return TargetOcclusion.hidden(
         fromX, fromY, fromZ, target, x, y, occlusionRadius, height, low(target), high(target));

@@ -15,10 +15,10 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
  *
  * @param pans the pan angles, radians off the mounted heading, rising, at least one
  * @param tilts the tilt angles, radians below the horizon, rising, at least one
- * @param zooms from the narrowest, at least one
- * @param panSpeed the pan speed, radians a second, also of tilting; infinite where the camera turns
- *     at once
- * @param zoomSpeed levels a second; infinite where the lens changes at once
+ * @param zooms the zoom levels from the narrowest, at least one
+ * @param panSpeed the pan speed, radians a second, also of tilting; infinite if the camera turns at
+ *     once
+ * @param zoomSpeed levels a second; infinite if the lens changes at once
  */
 public record ViewSet(
     List<Double> pans,
@@ -54,9 +54,9 @@ public record ViewSet(
   /**
    * Makes the views of a camera with a lens: one zoom level for each of its angles of view.
    *
-   * @param optics with a law that has angles of view
-   * @param defaultReach the default reach, metres; the reach if the optics have none
-   * @param mountHeight the mount height, metres; NaN if unknown
+   * @param optics the optics with a law that has angles of view
+   * @param defaultReach the default reach, in metres; the reach if the optics have none
+   * @param mountHeight the mount height, in metres; NaN if unknown
    * @param mounted height and tilt of the camera
    */
   static ViewSet ofLens(

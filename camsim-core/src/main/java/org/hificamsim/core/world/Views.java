@@ -17,7 +17,7 @@ import org.hificamsim.core.visibility.Pose;
  * by several threads.
  */
 final class Views {
-  /** CamSim creates a camera of this range or more with {@link #CLAMPED} instead (metres). */
+  /** The range, in metres, from which CamSim creates a camera with {@link #CLAMPED} instead. */
   private static final double MAX_RANGE = 20;
 
   private static final double CLAMPED = MAX_RANGE - MAX_RANGE * 0.2;
@@ -36,7 +36,7 @@ final class Views {
     this.flat = !scenario.hasHeights();
   }
 
-  /** CamSim's rule for the range of a camera that is created (behaviour 6.3). */
+  /** Returns the range with which CamSim creates a camera (behaviour 6.3). */
   static double clampedRange(double range) {
     return range >= MAX_RANGE ? CLAMPED : range;
   }
@@ -50,8 +50,8 @@ final class Views {
   /**
    * Returns the views of a camera that an event changed; cameras of a kind share them.
    *
-   * @param range the range, metres; ignored if the scenario has a zoom list
-   * @param viewingAngle the viewing angle, radians
+   * @param range the range, in metres; ignored if the scenario has a zoom list
+   * @param viewingAngle the viewing angle, in radians
    * @param camera gives all other properties
    */
   ViewSet of(double range, double viewingAngle, CameraSpec camera) {
@@ -83,7 +83,7 @@ final class Views {
         .orElseGet(() -> ViewSet.of(round(kind, 0)));
   }
 
-  /** The reach of a lens is its own, or the diagonal of the field. */
+  /** Makes the views of optics. The reach of a lens is its own, or the diagonal of the field. */
   private ViewSet make(CameraKind kind, OpticsSpec optics) {
     return optics.law().hasAngles()
         ? ViewSet.ofLens(

@@ -191,7 +191,7 @@ public final class World {
   /**
    * Changes the range of a camera; a camera with a zoom list keeps its levels.
    *
-   * @param range the range, metres
+   * @param range the range, in metres
    */
   public void changeRange(int camera, double range) {
     refit(camera, range, cameras.zoom(camera, 0).viewingAngle());

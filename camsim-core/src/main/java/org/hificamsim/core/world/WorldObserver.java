@@ -2,7 +2,7 @@ package org.hificamsim.core.world;
 
 /** Observes what events change in a world, in the order of the events. */
 public interface WorldObserver {
-  /** Ignores everything. */
+  /** The observer that ignores everything. */
   WorldObserver NONE = new WorldObserver() {};
 
   /** A camera was added. */

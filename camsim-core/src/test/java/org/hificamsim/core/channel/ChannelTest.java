@@ -215,7 +215,7 @@ class ChannelTest {
   }
 
   @Test
-  void broadcastSharesItsHops() {
+  void drawsEachHopOnceForAllReceivers() {
     Line line = new Line(3);
     Channel channel = channel("loss=0.5,range=10", line, 0);
     for (int step = 0; step < 1000; step++) {

@@ -84,7 +84,7 @@ class DetectedDistancesTest {
   }
 
   @Test
-  void fourChangesGiveTwoRings() {
+  void fourCrossingsOfThresholdGiveTwoRings() {
     DetectedDistances set = distances(model(d -> -Math.cos(d * Math.PI / 2)), 8, 0);
     assertEquals(2, set.intervals());
     assertFalse(set.contains(0));

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class DetectionRuleTest {
   private static final ZoomLevel ZOOM = new ZoomLevel(8, 2, 8, Double.NaN, 2 * Math.PI);
 
-  /** Falls from 1 to 0.2 over eight metres. */
+  /** A model whose confidence falls from 1 to 0.2 over eight metres. */
   private record Falling(Optional<Scatter> scatter) implements DetectionModel {
     @Override
     public String name() {

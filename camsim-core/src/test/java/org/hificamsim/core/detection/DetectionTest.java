@@ -10,11 +10,11 @@ import org.hificamsim.core.detection.camsim.CamSimStandardDetection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.junit.jupiter.api.Test;
 
-/** A model with its rule, and the defaults of models and zoom levels. */
+/** Tests detections and their rules, and the defaults of models and zoom levels. */
 class DetectionTest {
   private static final ZoomLevel ZOOM = new ZoomLevel(8, 2, 8, Double.NaN, 2 * Math.PI);
 
-  /** Falls from 1 to 0.2 over eight metres. */
+  /** A model whose confidence falls from 1 to 0.2 over eight metres. */
   private static final class Falling implements DetectionModel {
     @Override
     public String name() {

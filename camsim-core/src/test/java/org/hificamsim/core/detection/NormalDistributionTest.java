@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Compares with tables of the distribution and with its density. */
+/** Compares the computed probabilities with published tables and with the integrated density. */
 class NormalDistributionTest {
   @ParameterizedTest
   @CsvSource({
@@ -26,7 +26,7 @@ class NormalDistributionTest {
   }
 
   @Test
-  void risesByTheDensity() {
+  void slopeEqualsTheDensity() {
     double h = 1e-4;
     for (double x = -7.99; x < 7.98; x += 0.0137) {
       double middle = x + h / 2;

@@ -14,7 +14,7 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** After a warm-up, 20,000 steps allocate no memory. */
+/** Tests that 20,000 steps allocate no memory after a warm-up. */
 class AllocationTest {
   private static final int STEPS = 20_000;
 

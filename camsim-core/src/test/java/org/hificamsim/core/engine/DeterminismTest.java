@@ -18,7 +18,7 @@ import org.hificamsim.core.scenario.spec.ScenarioEvent.FailCamera;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.junit.jupiter.api.Test;
 
-/** Equal arguments give equal runs in all observable values. */
+/** Tests that equal arguments give runs that are equal in all observable values. */
 class DeterminismTest {
   private static final int STEPS = 2000;
 

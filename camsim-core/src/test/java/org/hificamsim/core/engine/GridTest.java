@@ -26,7 +26,7 @@ import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** A grid only makes looking faster: observations equal those without a grid. */
+/** Tests that a grid changes no observation, but only the time that looking takes. */
 class GridTest {
   private static final int CAMERAS = 25;
   private static final int TARGETS = 40;
@@ -173,7 +173,8 @@ class GridTest {
   }
 
   /**
-   * Ranges or a zoom list, sectors, targets on borders and outside, cameras and targets by event.
+   * Returns a random scenario with ranges or a zoom list, sectors, targets on borders and outside,
+   * and cameras and targets that events add.
    */
   private static TestScenario scenario(SplittableRandom random) {
     TestScenario scenario = new TestScenario();

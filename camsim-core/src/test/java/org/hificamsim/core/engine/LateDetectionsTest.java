@@ -30,7 +30,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class LateDetectionsTest {
-  /** Three targets that stand 1, 2 and 3 m from a camera; the first is the farthest. */
+  /**
+   * Returns a scenario of three targets that stand 1, 2 and 3 m from a camera; the first is the
+   * farthest.
+   */
   private static TestScenario threeTargets(int budget) {
     return new TestScenario()
         .order(StepOrder.COVERAGE)

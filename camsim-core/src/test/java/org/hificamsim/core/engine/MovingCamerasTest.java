@@ -18,7 +18,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A camera with two levels at -40, 0 and 40 degrees that turns by 20 degrees per step. */
+/**
+ * Tests moves of a camera with two levels at -40, 0 and 40 degrees that turns by 20 degrees per
+ * step.
+ */
 class MovingCamerasTest {
   private static final int AHEAD = 3;
   private static final int RIGHT = 5;

@@ -25,7 +25,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The answers of the network within a step, for any kind of sight. */
+/** Tests the answers of the network within a step, for each kind of sight. */
 class ObservedNetworkTest {
   private static final Obstacle HALF_LIGHT = new Obstacle.Wall(-9, 1, 9, 1, 0.5);
 

@@ -39,9 +39,9 @@ import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
 /**
- * Visits all objects that a policy can reach from its view: through the public methods of all
- * public types that the view can be cast to, and of their results. {@code setAccessible} is out of
- * scope.
+ * Tests that a policy cannot reach the truth from its view. It visits all objects that can be
+ * reached: through the public methods of all public types that the view can be cast to, and of
+ * their results. {@code setAccessible} is out of scope.
  */
 class OracleWallTest {
   private static final List<Class<?>> ORACLES =

@@ -18,7 +18,7 @@ import org.hificamsim.core.world.World;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Pairs of cameras and seen targets equal the answers for each pair. */
+/** Tests that the pairs of cameras and seen targets equal the answers for each pair. */
 class SeenTargetsTest {
   private static final int CAMERAS = 6;
   private static final int TARGETS = 40;
@@ -27,7 +27,7 @@ class SeenTargetsTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0.5, 3, 100})
-  void findsSamePairsAsSingleQuestions(double side) {
+  void findsSamePairsAsQueriesOfSinglePairs(double side) {
     World world = world();
     Visibility visibility = Visibility.of(new Detection(new CamSimRangeDetection(), 0.01));
     TestNetwork network = new TestNetwork(world, visibility, side);

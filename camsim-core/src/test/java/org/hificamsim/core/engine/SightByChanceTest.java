@@ -25,9 +25,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Detects by chance the same from a table, from the full model, and with a grid. */
+/**
+ * Tests that detections by chance are the same from a table, from the full model, and with a grid.
+ */
 class SightByChanceTest {
-  /** Falls with distance, with waves on top if there are any. */
+  /** A model whose confidence falls with distance, with waves on top if there are any. */
   private record Waves(double waves, boolean dependsOnBearing) implements DetectionModel {
     @Override
     public String name() {

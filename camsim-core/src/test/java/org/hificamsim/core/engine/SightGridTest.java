@@ -13,7 +13,10 @@ import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** A grid exists from 4,000 pairs and 40 cells on; its cells are as wide as the mean reach. */
+/**
+ * Tests when a grid exists, from 4,000 pairs and 40 cells on, and that its cells are as wide as the
+ * mean reach.
+ */
 class SightGridTest {
   private static final int TARGETS = 50;
 
@@ -62,7 +65,7 @@ class SightGridTest {
     return new TestNetwork(world, Visibility.of(Detection.of(model))).grid().cells();
   }
 
-  /** Every other camera detects up to 4 m, the others up to 6 m. */
+  /** Returns a scenario in which every other camera detects up to 4 m, and the others up to 6 m. */
   private static TestScenario cameras(int cameras, double width, double height) {
     TestScenario scenario = new TestScenario().field(0, width, 0, height);
     for (int camera = 0; camera < cameras; camera++) {

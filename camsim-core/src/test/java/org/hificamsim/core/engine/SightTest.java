@@ -27,12 +27,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Tabulated distances detect the same as the full model. */
+/** Tests that tabulated distances detect the same as the full model. */
 class SightTest {
   private static final int CAMERAS = 4;
   private static final int TARGETS = 60;
 
-  /** Falls and rises with distance, with the target's size, and with the zoom. */
+  /**
+   * A model whose confidence falls and rises with distance, with the target's size and with the
+   * zoom.
+   */
   private record Rings(double waves, double phase) implements DetectionModel {
     @Override
     public String name() {
@@ -45,8 +48,8 @@ class SightTest {
     }
   }
 
-  /** The same model, which is evaluated for each target in place of tabulated. */
-  private record InFull(DetectionModel model) implements DetectionModel {
+  /** A model that is evaluated for each target instead of being tabulated. */
+  private record FullModel(DetectionModel model) implements DetectionModel {
     @Override
     public String name() {
       return model.name();
@@ -70,7 +73,7 @@ class SightTest {
     World world = randomWorld(random);
     Detection detection = new Detection(model(modelNumber, random), random.nextDouble(0.05, 0.7));
     Sight tabulated = new Sight(world, Visibility.of(detection));
-    Sight full = new Sight(world, inFull(detection));
+    Sight full = new Sight(world, withFullModel(detection));
     assertSame(world, tabulated, full);
   }
 
@@ -81,7 +84,7 @@ class SightTest {
     World world = random.nextBoolean() ? randomWorld(random) : randomWorld(random, 0.66);
     Detection detection = new Detection(model(modelNumber, random), random.nextDouble(0.05, 0.7));
     assertLooksAsItDetects(world, new Sight(world, Visibility.of(detection)));
-    assertLooksAsItDetects(world, new Sight(world, inFull(detection)));
+    assertLooksAsItDetects(world, new Sight(world, withFullModel(detection)));
   }
 
   /** One camera is offline, one is at another level, and one target is on a border. */
@@ -127,7 +130,7 @@ class SightTest {
   /** Writes three words per view, and leaves the other words of the array unchanged. */
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void marksTargetsBeyondTheFirstSixtyFour(boolean inFull) {
+  void marksTargetsBeyondTheFirstSixtyFour(boolean withFullModel) {
     TestScenario scenario =
         new TestScenario().camera(TestScenario.camera("a", 0, 0, 0, 200, 5)).zooms(2, 5);
     for (int target = 0; target < 150; target++) {
@@ -135,7 +138,8 @@ class SightTest {
     }
     World world = scenario.world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight sight = new Sight(world, inFull ? inFull(detection) : Visibility.of(detection));
+    Sight sight =
+        new Sight(world, withFullModel ? withFullModel(detection) : Visibility.of(detection));
     sight.locate();
     long[] masks = new long[7];
     masks[6] = 5;
@@ -188,7 +192,7 @@ class SightTest {
             .world();
     Detection detection = Detection.of(new GeometricDetection());
     Sight tabulated = new Sight(world, Visibility.of(detection));
-    Sight full = new Sight(world, inFull(detection));
+    Sight full = new Sight(world, withFullModel(detection));
     int[] seenByA = {0, 1, 3, 3};
     for (int step = 0; step < 4; step++) {
       world.fireEvents(step);
@@ -203,8 +207,8 @@ class SightTest {
     }
   }
 
-  private static Visibility inFull(Detection detection) {
-    return Visibility.of(new Detection(new InFull(detection.model()), detection.threshold()));
+  private static Visibility withFullModel(Detection detection) {
+    return Visibility.of(new Detection(new FullModel(detection.model()), detection.threshold()));
   }
 
   private static void assertSame(World world, Sight tabulated, Sight full) {
@@ -293,7 +297,10 @@ class SightTest {
     return randomWorld(random, 0.1, 0.66, 1.3);
   }
 
-  /** Sectors and circles, and targets of these sizes, some of them exactly at cameras. */
+  /**
+   * Returns a world of cameras with sectors or circles, and targets of these sizes, some of them
+   * exactly at cameras.
+   */
   private static World randomWorld(SplittableRandom random, double... sizes) {
     TestScenario scenario = new TestScenario().zooms(1 + random.nextDouble(), 4, 7.5);
     for (int camera = 0; camera < CAMERAS; camera++) {

@@ -81,7 +81,10 @@ class TargetFollowingTest {
     assertEquals(new FollowingSums(Double.NaN, Double.NaN, 0, 0, 0, 0), follow(scenario, 9));
   }
 
-  /** By target, a letter for the holder in each step: '.' for none, ' ' while it is absent. */
+  /**
+   * Records a letter for the holder of each target in each step: '.' for none, ' ' while it is
+   * absent.
+   */
   private static final class Diary implements StepListener {
     private final List<StringBuilder> lines = new ArrayList<>();
 

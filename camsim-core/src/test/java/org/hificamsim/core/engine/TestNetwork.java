@@ -14,7 +14,7 @@ final class TestNetwork extends OracleNetwork {
   }
 
   /**
-   * @param side the side of the grid's cells, metres; NaN to choose one
+   * @param side the side of the grid's cells, in metres; NaN to choose one
    */
   TestNetwork(World world, Visibility visibility, double side) {
     this(world, new Sight(world, visibility, side));

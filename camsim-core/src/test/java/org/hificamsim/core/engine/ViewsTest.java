@@ -31,10 +31,11 @@ import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
 /**
- * Views of cameras with optics past obstacles equal a direct evaluation, with and without a grid.
+ * Tests that views of cameras with optics equal a direct evaluation past obstacles, with and
+ * without a grid.
  */
 class ViewsTest {
-  /** Falls with distance and, optionally, off the axis. */
+  /** A model whose confidence falls with distance and, optionally, off the axis. */
   private record Falling(boolean dependsOnBearing) implements DetectionModel {
     @Override
     public String name() {

@@ -13,7 +13,7 @@ import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Records of files, with the hashes and paths that they are made of. */
+/** Tests records of files: their hashes and paths. */
 class FileRecordTest {
   private static final String ABC =
       "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"; // FIPS 180-2, B.1

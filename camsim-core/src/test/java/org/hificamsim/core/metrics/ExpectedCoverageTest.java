@@ -125,7 +125,7 @@ class ExpectedCoverageTest {
     assertEquals(1 - Math.pow(2, -cameras), expected.chanceOfOne(0), ERROR);
   }
 
-  /** Random chances, some of them 0 or 1; some targets are absent. */
+  /** Returns random chances, some of them 0 or 1; some targets are absent. */
   private static Chances random(int cameras, int targets, SplittableRandom random) {
     double[][] chances = new double[cameras][targets];
     for (int target = 0; target < targets; target++) {

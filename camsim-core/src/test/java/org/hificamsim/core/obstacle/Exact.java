@@ -12,7 +12,7 @@ final class Exact {
         : touches((Obstacle.Pillar) obstacle, a, b);
   }
 
-  /** Two segments cross, or one of their four ends is on the other. */
+  /** Whether two segments cross, or an end of one is on the other. */
   private static boolean touch(Point a, Point b, Point c, Point d) {
     boolean cross =
         orientation(a, b, c) * orientation(a, b, d) < 0

@@ -56,7 +56,7 @@ class ObstaclesTest {
   }
 
   @Test
-  void onlySolidObstaclesContain() {
+  void onlySolidObstaclesContainPoints() {
     Obstacles obstacles = new Obstacles(List.of(PILLAR, SOLID));
     assertEquals(Optional.empty(), obstacles.containing(-3, 2));
     assertEquals(Optional.of(SOLID), obstacles.containing(2, 4));
@@ -120,7 +120,10 @@ class ObstaclesTest {
     }
   }
 
-  /** JTS has no discs, so that pillars use exact arithmetic. */
+  /**
+   * Whether a segment touches an obstacle according to JTS, or to exact arithmetic for pillars,
+   * because JTS has no discs.
+   */
   private static boolean byJts(Obstacle obstacle, Point from, Point to) {
     return obstacle instanceof Obstacle.Pillar
         ? Exact.touches(obstacle, from, to)

@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import org.junit.jupiter.api.Test;
 
 /**
- * Guards the speed of regions: they must answer as many questions without looking at obstacles as
- * before. Whoever changes their precomputed data sees the effect here.
+ * Tests that regions answer as many questions without looking at obstacles as before, which is what
+ * makes them fast. A change of the precomputed data shows its effect here.
  */
 class SameRegionTest {
   private static final int PLACES = 200;

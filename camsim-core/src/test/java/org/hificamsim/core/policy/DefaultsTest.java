@@ -14,7 +14,7 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
 import org.junit.jupiter.api.Test;
 
-/** Default methods of views and policies. */
+/** Tests the default methods of views and policies. */
 class DefaultsTest {
   private static final int TARGETS = 70;
   private static final int LAST = 4;
@@ -150,9 +150,9 @@ class DefaultsTest {
   }
 
   /**
-   * Five cameras with two levels; the first is offline. They stand at (1, 2) and look to +x; target
-   * t is 3 m ahead of them and t m to the right. Targets 30 and 66 are absent. Level 1 detects all
-   * but a few targets, level 0 some.
+   * Returns a view of five cameras with two levels; the first is offline. They stand at (1, 2) and
+   * look to +x; target t is 3 m ahead of them and t m to the right. Targets 30 and 66 are absent.
+   * Level 1 detects all but a few targets, level 0 some.
    */
   private static OracleView view() {
     InvocationHandler answers =
@@ -181,7 +181,10 @@ class DefaultsTest {
             OracleView.class.getClassLoader(), new Class<?>[] {OracleView.class}, answers);
   }
 
-  /** Cameras and views beyond the last would detect targets that nobody sees. */
+  /**
+   * Whether a view detects a target; cameras and views beyond the last would detect targets that
+   * nobody sees.
+   */
   private static boolean detects(int camera, int view, int target) {
     return switch (target) {
       case SEEN_BY_NOBODY -> camera > LAST || view > 1;

@@ -12,7 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Programs in a sandbox, seen from inside. */
+/** Tests what programs in a sandbox can do. */
 class SandboxTest {
   @TempDir Path folder;
 

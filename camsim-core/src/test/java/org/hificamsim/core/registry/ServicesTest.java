@@ -19,7 +19,9 @@ import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.junit.jupiter.api.Test;
 
-/** A minimal implementation of each extension point works once it is declared as a service. */
+/**
+ * Tests that a minimal implementation of each extension point works if it is declared as a service.
+ */
 class ServicesTest {
   private final Registry<DetectionModel> detections =
       new Registry<DetectionModel>("detection")

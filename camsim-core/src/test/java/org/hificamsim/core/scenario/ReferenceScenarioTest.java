@@ -14,7 +14,10 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Every scenario file of the reference data loads, and is equal after writing and reading. */
+/**
+ * Tests that every scenario file of the reference data loads, and is equal after writing and
+ * reading.
+ */
 class ReferenceScenarioTest {
   @TempDir Path folder;
 

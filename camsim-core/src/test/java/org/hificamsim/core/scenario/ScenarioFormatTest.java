@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import org.hificamsim.core.scenario.declaration.Element;
 import org.junit.jupiter.api.Test;
 
-/** The schema file agrees with the declarations. */
+/** Tests that the schema file agrees with the declarations. */
 class ScenarioFormatTest {
   private static final Path PROJECT = Path.of(System.getProperty("hificamsim.root"));
 

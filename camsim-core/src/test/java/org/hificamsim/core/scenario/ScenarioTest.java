@@ -12,7 +12,7 @@ import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.junit.jupiter.api.Test;
 
-/** Changing one property of a scenario keeps all others. */
+/** Tests that a change of one property of a scenario keeps all others. */
 class ScenarioTest {
   private static final CameraSpec LATER = TestScenario.camera("later", 1, 2, 30, 90, 5);
 

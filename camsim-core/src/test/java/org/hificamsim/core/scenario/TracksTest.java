@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The element {@code tracks} and its file. */
+/** Tests the element {@code tracks} and its file. */
 class TracksTest {
   private static final String TRACKS =
       """

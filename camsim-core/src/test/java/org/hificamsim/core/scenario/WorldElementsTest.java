@@ -29,7 +29,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Optics, obstacles, the duration of a step, the floor plan, and the extent of targets. */
+/**
+ * Tests how scenarios declare optics, obstacles, the duration of a step, the floor plan, and the
+ * extent of targets.
+ */
 class WorldElementsTest {
   private static final String OBJECT =
       "<objects><object features='1' x='1' y='2' heading='30' speed='4'/></objects>";

@@ -72,7 +72,7 @@ class CoveredShareTest {
   }
 
   @Test
-  void knowsWhenNothingIsLeft() {
+  void reportsWhenNothingIsLeft() {
     covered.clear();
     covered.add(-1, -1, 2, Double.POSITIVE_INFINITY);
     assertTrue(covered.full());

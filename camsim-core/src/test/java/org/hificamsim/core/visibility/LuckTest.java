@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LuckTest {
   private static final int BINS = 100;
 
-  /** Chi-square with 99 degrees of freedom is above 148 once in a thousand times. */
+  /** The number that chi-square with 99 degrees of freedom exceeds once in a thousand times. */
   private static final double LIMIT = 148;
 
   /** A million draws: over steps of one pair, over pairs of one step, over seeds. */

@@ -387,7 +387,7 @@ class VisibilityTest {
   }
 
   /**
-   * @param angle the angle, degrees
+   * @param angle the angle, in degrees
    */
   private static ZoomLevel zoom(double angle, double radius) {
     return new ZoomLevel(radius, radius, radius, Double.NaN, Math.toRadians(angle));

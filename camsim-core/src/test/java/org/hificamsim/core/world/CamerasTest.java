@@ -11,7 +11,7 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** One camera with two levels at -40, 0 and 40 degrees; moves take no time by default. */
+/** Tests a camera with two levels at -40, 0 and 40 degrees, whose moves take no time by default. */
 class CamerasTest {
   private static final int LEFT = 1;
   private static final int AHEAD = 3;

@@ -11,7 +11,7 @@ import org.hificamsim.core.scenario.spec.Moving;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.junit.jupiter.api.Test;
 
-/** Moves of a camera with pan angles of -60, 0 and 60 degrees, each with levels 0 to 2. */
+/** Tests moves of a camera with pan angles of -60, 0 and 60 degrees and levels 0 to 2. */
 class MotionTest {
   private static final int AHEAD = 5;
   private static final int LEFT = 2;

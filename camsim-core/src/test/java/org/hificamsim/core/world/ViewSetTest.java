@@ -12,7 +12,7 @@ import org.hificamsim.core.scenario.spec.OpticsLaw;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.junit.jupiter.api.Test;
 
-/** The views of optics. */
+/** Tests the views of optics. */
 class ViewSetTest {
   private static OpticsSpec optics(OpticsLaw law, Optional<Double> reach) {
     return optics(law, reach, List.of(10.0, 40.0));

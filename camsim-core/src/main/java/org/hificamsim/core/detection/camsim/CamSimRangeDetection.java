@@ -8,7 +8,9 @@ import org.hificamsim.core.detection.ZoomLevel;
  * metres, at least 0; a target closer than a nanometre is certain.
  */
 public final class CamSimRangeDetection implements DetectionModel {
-  /** Close to the CamSim column of Table 8.1; no threshold reproduces it. */
+  /**
+   * A threshold that comes close to the CamSim column of Table 8.1, which no threshold reproduces.
+   */
   static final double THRESHOLD = 0.35;
 
   private static final double B = 15;

@@ -91,8 +91,8 @@ public final class Element<S> {
   }
 
   /**
-   * Declares an attribute with a default, at which files omit it. New attributes are declared so:
-   * then files and run keys of scenarios without them stay the same.
+   * Declares an attribute with a default, at which files omit it. New attributes are declared in
+   * this way, so that files and run keys of scenarios without them stay the same.
    */
   public <T> Property<S, T> optional(String attribute, Type<T> valueType, T defaultValue) {
     return attribute(attribute, valueType, defaultValue).omittedAtDefault();

@@ -16,7 +16,7 @@ import java.util.OptionalDouble;
 public class Spec<S> {
   private final Element<S> element;
 
-  /** By the number of the property; null for none. */
+  /** The values by the number of their property; null for a property without a value. */
   private final Object[] values;
 
   private final Map<String, String> extras;

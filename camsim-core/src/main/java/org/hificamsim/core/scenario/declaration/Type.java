@@ -27,7 +27,7 @@ public record Type<T>(
   private static final String DECIMAL = "[+\\-0-9.eE]+";
   private static final int MAX_NUMBERS = 1000;
 
-  /** Java writes an exponent from this number on. */
+  /** The least number that Java writes with an exponent. */
   private static final double FIRST_EXPONENT = 1e7;
 
   public static final Type<String> TEXT = text("a text");
@@ -101,7 +101,7 @@ public record Type<T>(
     return new Type<>(type.expected, type.schema, type.parser, writer);
   }
 
-  /** The text of a number, whose digits before the point all stand there. */
+  /** Returns the text of a number, without an exponent if it is large. */
   private static String plain(double value) {
     return Math.abs(value) >= FIRST_EXPONENT && Double.isFinite(value)
         ? new BigDecimal(Double.toString(value)).toPlainString()
@@ -147,7 +147,7 @@ public record Type<T>(
         Spelling::of);
   }
 
-  /** One of several words. */
+  /** Returns the type of an attribute that is one of several words. */
   public static Type<String> word(List<String> words) {
     return new Type<>(
         String.join(", ", words).replaceFirst(", (?=[^,]*$)", " or "),
@@ -161,7 +161,10 @@ public record Type<T>(
     return STRING + words.map(word -> " enumeration=" + word).collect(Collectors.joining());
   }
 
-  /** One or more different numbers in any order, between spaces or as {@code from:to:step}. */
+  /**
+   * Returns the type of one or more different numbers in any order, separated by spaces or written
+   * as {@code from:to:step}.
+   */
   public static Type<List<Double>> numbers(Range range) {
     return new Type<>(
         "numbers between spaces, each once, or from:to:step; each " + range.expected(),

@@ -28,7 +28,7 @@ public final class CameraReader {
 
   /**
    * @param field the field, in which cameras must stand
-   * @param mountHeight the mount height of the scenario, metres, if it has one
+   * @param mountHeight the mount height of the scenario, in metres, if it has one
    * @param optics the optics of the file, by name
    */
   public CameraReader(
@@ -76,7 +76,10 @@ public final class CameraReader {
     return camera;
   }
 
-  /** A camera with a lens needs no angle, which defaults to the widest, and no range. */
+  /**
+   * Completes the view of a camera. With a lens, the angle is by default the widest, and the range
+   * that of the lens.
+   */
   private static CameraSpec withView(CameraSpec camera, Attributes<CameraSpec> attributes) {
     Optional<OpticsSpec> lens = camera.optics().filter(optics -> optics.law().hasAngles());
     if (lens.isEmpty()) {

@@ -131,7 +131,9 @@ public final class EventSequence {
     return new Waypoint(x, y);
   }
 
-  /** Cameras fail for good, also if a duration is given, as in CamSim (quirk Q6). */
+  /**
+   * Notes that a camera fails permanently, even if a duration is given, as in CamSim (quirk Q6).
+   */
   private void fail(String camera, int duration) {
     if (duration == FOR_EVER && !failed.contains(camera)) {
       positions.remove(camera);

@@ -55,7 +55,7 @@ public final class OpticsReader {
     known.put(name, optics);
   }
 
-  /** A picture has an upper and a lower edge where a lens makes it. */
+  /** Checks the vertical attributes, which only optics with a lens have. */
   private static void checkHeights(Attributes<OpticsSpec> attributes) {
     OpticsLaw law = attributes.get(OpticsSpec.LAW);
     if (law != OpticsLaw.PINHOLE) {
@@ -99,7 +99,7 @@ public final class OpticsReader {
     }
   }
 
-  /** Focal lengths and the sensor's width give the angles of view by Eq 3.1. */
+  /** Computes the angles of view from focal lengths and the width of the sensor (Eq 3.1). */
   private static OpticsSpec withAngles(OpticsSpec optics) {
     OpticsSpec rest = optics.without(FOCAL_LENGTHS).without(SENSOR_WIDTH);
     return optics

@@ -47,7 +47,7 @@ final class TrackReader {
   private long total;
 
   /**
-   * @param stepTime the step time, seconds, above 0
+   * @param stepTime the step time, in seconds, above 0
    */
   TrackReader(TextLines lines, double stepTime) {
     this.lines = lines;

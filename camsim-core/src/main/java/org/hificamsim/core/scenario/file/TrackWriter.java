@@ -12,7 +12,7 @@ public final class TrackWriter {
   /** The first line of the file. */
   static final String HEADER = "tracks 1";
 
-  /** Java writes an exponent from this number on. */
+  /** The least number that Java writes with an exponent. */
   private static final double FIRST_EXPONENT = 1e7;
 
   private static final double MAX_FAST = 1e9;
@@ -27,9 +27,9 @@ public final class TrackWriter {
   /**
    * Begins a file.
    *
-   * @param interval the time between most samples, seconds, above 0; samples that keep it are
+   * @param interval the time between most samples, in seconds, above 0; samples that keep it are
    *     written without their time
-   * @param slack the greatest deviation from the interval that is ignored, seconds
+   * @param slack the greatest deviation from the interval that is ignored, in seconds
    */
   public TrackWriter(Appendable out, double interval, double slack) throws IOException {
     this.out = out;
@@ -38,7 +38,7 @@ public final class TrackWriter {
     out.append(HEADER).append("\ninterval ").append(plain(interval)).append('\n');
   }
 
-  /** Begins a track of a target with one size, metres. */
+  /** Begins a track of a target with one size, in metres. */
   public void target(double features, double size) throws IOException {
     begin(features);
     out.append(" size ").append(plain(size)).append('\n');
@@ -56,7 +56,10 @@ public final class TrackWriter {
     writtenTime = Double.NaN;
   }
 
-  /** Adds a sample to the target's track: seconds, later than the one before, and metres. */
+  /**
+   * Adds a sample to the target's track: its time in seconds, later than the previous one, and its
+   * position in metres.
+   */
   public void sample(double time, double x, double y) throws IOException {
     samplesSinceWrittenTime++;
     if (!(Math.abs(writtenTime + samplesSinceWrittenTime * interval - time) <= slack)) {

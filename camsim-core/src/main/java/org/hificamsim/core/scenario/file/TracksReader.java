@@ -54,7 +54,7 @@ public final class TracksReader {
     }
   }
 
-  /** A target goes at the beginning of the step after its last; at that step it may come again. */
+  /** Returns the events that add a target at its first step and remove it after its last one. */
   private static Stream<ScenarioEvent> events(TargetSpec target) {
     Track track = target.track().orElseThrow();
     return isMet(track)

@@ -7,7 +7,7 @@ import org.hificamsim.core.InputException;
  */
 @FunctionalInterface
 public interface AgentCheck {
-  /** Accepts everything. */
+  /** The check that accepts everything. */
   AgentCheck NONE = (camera, added, fault) -> {};
 
   /** Makes the error about an attribute of the camera. */

@@ -106,27 +106,27 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
     return get(NAME);
   }
 
-  /** The x coordinate, metres. */
+  /** The x coordinate, in metres. */
   public double x() {
     return get(X);
   }
 
-  /** The y coordinate, metres. */
+  /** The y coordinate, in metres. */
   public double y() {
     return get(Y);
   }
 
-  /** The heading, degrees: 0 is +y and 90 is +x. */
+  /** The heading, in degrees: 0 is +y and 90 is +x. */
   public double heading() {
     return get(HEADING);
   }
 
-  /** Full opening angle, degrees, (0, 360]. */
+  /** Returns the full opening angle, in degrees, (0, 360]. */
   public double viewingAngle() {
     return get(VIEWING_ANGLE);
   }
 
-  /** Radius of the field of view, metres, 0 or more. */
+  /** Returns the radius of the field of view, in metres, 0 or more. */
   public double range() {
     return get(RANGE);
   }
@@ -135,7 +135,9 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
     return find(OPTICS);
   }
 
-  /** Height above the ground, metres; empty if the scenario's mount height applies. */
+  /**
+   * Returns the height above the ground, in metres; empty if the scenario's mount height applies.
+   */
   public OptionalDouble z() {
     return number(Z);
   }

@@ -23,17 +23,17 @@ public final class DraftOptics {
 
   private DraftOptics() {}
 
-  /** The height of a draft camera if obstacles have heights, metres. */
+  /** The height of a draft camera if obstacles have heights, in metres. */
   private static final double DEFAULT_HEIGHT = 3;
 
-  /** Tilts relative to the camera's own, degrees; the first one lets narrow levels see far. */
+  /** Tilts relative to the camera's own, in degrees; the first one lets narrow levels see far. */
   private static final List<Double> TILTS = List.of(-16.0, 0.0);
 
   /**
    * Hangs a camera at the default height, tilted so that the upper edge of its widest picture meets
    * the ground at a distance.
    *
-   * @param far the distance, metres, above 0
+   * @param far the distance, in metres, above 0
    */
   public static CameraSpec hung(CameraSpec camera, double far) {
     OpticsSpec optics = camera.get(CameraSpec.OPTICS).with(OpticsSpec.TILTS, TILTS);
@@ -44,7 +44,7 @@ public final class DraftOptics {
         .with(CameraSpec.TILT, Math.rint(horizon + Collections.max(optics.verticalAngles()) / 2));
   }
 
-  /** Creates a camera at a position that looks at another one, metres. */
+  /** Creates a camera at a position that looks at another one, in metres. */
   public static CameraSpec camera(
       String name, OpticsSpec optics, double x, double y, double targetX, double targetY) {
     return new CameraSpec(name, x, y, 0)

@@ -5,8 +5,7 @@ import java.util.regex.Pattern;
 
 /**
  * The steps in which a camera is awake: the attribute {@code duty}, such as {@code 2/6@4}, which is
- * 2 of every 6 steps, for the first time from step 4 on. Cameras with the same duty cycle are a
- * cover set.
+ * 2 of every 6 steps, beginning at step 4. Cameras with the same duty cycle are a cover set.
  *
  * @param awake the number of steps in which the camera is awake, 1 or more
  * @param period the number of steps after which it wakes up again

@@ -28,7 +28,7 @@ public final class EventHead {
 
   private EventHead() {}
 
-  /** One of the words that these kinds of events have for a participant or a happening. */
+  /** Returns the type of an attribute that is one of the words of these kinds of events. */
   public static Type<String> oneOf(
       List<EventKind<?, ?>> kinds, Function<EventKind<?, ?>, String> word) {
     return Type.word(kinds.stream().map(word).distinct().toList());

@@ -7,12 +7,12 @@ public record Field(double minX, double maxX, double minY, double maxY) {
     return !(x > maxX || x < minX || y > maxY || y < minY);
   }
 
-  /** The width, metres. */
+  /** The width, in metres. */
   public double width() {
     return maxX - minX;
   }
 
-  /** The height, metres. */
+  /** The height, in metres. */
   public double height() {
     return maxY - minY;
   }

@@ -2,8 +2,8 @@ package org.hificamsim.core.scenario.spec;
 
 /** Whether an upright target looks shorter from above. */
 public enum Foreshortening {
-  /** It looks as high as a target at that distance that faces the camera. */
+  /** A target looks as high as if it faced the camera at the same distance. */
   NONE,
-  /** It looks shorter by the cosine of the angle of depression. */
+  /** A target looks shorter by the cosine of the angle of depression. */
   COSINE
 }

@@ -2,8 +2,8 @@ package org.hificamsim.core.scenario.spec;
 
 /** Whether a camera sees on its way from one view to another. */
 public enum Moving {
-  /** It sees nothing until it has arrived. */
+  /** The camera sees nothing until it has arrived. */
   BLIND,
-  /** It sees as through the view that it passes: the nearest one in pan and zoom. */
+  /** The camera sees as if it had the nearest view in pan and zoom. */
   SEES
 }

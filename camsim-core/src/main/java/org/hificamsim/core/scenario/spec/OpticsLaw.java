@@ -45,7 +45,7 @@ public enum OpticsLaw {
     return widest > 0;
   }
 
-  /** The widest angle of view that a level may have, degrees; 0 if levels have none. */
+  /** The widest angle of view that a level may have, in degrees; 0 if levels have none. */
   public double widest() {
     return widest;
   }
@@ -56,10 +56,10 @@ public enum OpticsLaw {
   }
 
   /**
-   * Returns the reach of each level, metres.
+   * Returns the reach of each level, in metres.
    *
-   * @param angles the angles of view, degrees, from the narrowest
-   * @param reach the reach of the optics, metres
+   * @param angles the angles of view, in degrees, from the narrowest
+   * @param reach the reach of the optics, in metres
    */
   public abstract List<Double> radii(List<Double> angles, double reach);
 }

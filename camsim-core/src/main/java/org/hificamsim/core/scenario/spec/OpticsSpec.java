@@ -10,11 +10,12 @@ import org.hificamsim.core.scenario.declaration.Spec;
 import org.hificamsim.core.scenario.declaration.Type;
 
 /**
- * The optics of a camera: the views that it can choose, and how long it takes from one to another.
- * Optics with only a name are a lens without angles of view that looks ahead and moves at once.
+ * The optics of a camera: the views that it can choose, and the time that it takes to move between
+ * them. Optics with only a name are a lens without angles of view that looks ahead and moves at
+ * once.
  */
 public final class OpticsSpec extends Spec<OpticsSpec> {
-  /** Width over height of a picture in high definition. */
+  /** The width over the height of a picture in high definition. */
   private static final double DEFAULT_ASPECT = 16.0 / 9;
 
   /** The optics that a camera refers to by name; the reader finds them. */
@@ -95,7 +96,7 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
     return get(LAW);
   }
 
-  /** Width of the picture, 1 or more. */
+  /** Returns the width of the picture in pixels, 1 or more; empty if the model decides. */
   public Optional<Integer> pixels() {
     return find(PIXELS);
   }
@@ -112,12 +113,12 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
     return get(PANS);
   }
 
-  /** Angles off the camera's own tilt, degrees, downwards. */
+  /** Returns the angles off the camera's own tilt, in degrees downwards. */
   public List<Double> tilts() {
     return get(TILTS);
   }
 
-  /** Vertical angles of view, degrees, one for each of {@link #anglesOfView}. */
+  /** Returns the vertical angles of view, in degrees, one for each of {@link #anglesOfView}. */
   public List<Double> verticalAngles() {
     List<Double> given = get(VERTICAL_ANGLES);
     double aspect = find(ASPECT).orElse(DEFAULT_ASPECT);
@@ -135,7 +136,8 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
   }
 
   /**
-   * The angle of view in degrees of a picture that is smaller by a factor than that of an angle.
+   * Returns the angle of view, in degrees, of a picture that is smaller by a factor than the
+   * picture of another angle.
    */
   private static double angleOver(double angle, double factor) {
     return 2 * Math.toDegrees(StrictMath.atan(StrictMath.tan(Math.toRadians(angle) / 2) / factor));
@@ -158,7 +160,7 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
     return number(PAN_SPEED);
   }
 
-  /** The time from the first zoom level to the last, seconds, 0 or more. */
+  /** The time from the first zoom level to the last, in seconds, 0 or more. */
   public double zoomTime() {
     return get(ZOOM_TIME);
   }

@@ -12,7 +12,7 @@ import org.hificamsim.core.InputException;
  * @param detections the number of detections, 1 or more
  */
 public record ProcessingBudget(int detections) {
-  /** Cameras process all that they detect. */
+  /** The budget with which cameras process all that they detect. */
   public static final ProcessingBudget UNLIMITED = new ProcessingBudget(Integer.MAX_VALUE);
 
   private static final String NONE = "none";

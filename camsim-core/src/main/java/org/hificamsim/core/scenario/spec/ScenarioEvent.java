@@ -23,7 +23,7 @@ public sealed interface ScenarioEvent {
   /** The step at whose beginning it fires, from 0. */
   int step();
 
-  /** The camera that it happens to; empty where it happens to none that is there already. */
+  /** The existing camera that the event concerns; empty if there is none. */
   default Optional<String> existingCamera() {
     return Optional.empty();
   }
@@ -43,8 +43,8 @@ public sealed interface ScenarioEvent {
   /**
    * A camera is moved, turned or given another range; -1 leaves a value as it is, as in CamSim.
    *
-   * @param heading the heading, degrees
-   * @param viewingAngle the viewing angle, degrees
+   * @param heading the heading, in degrees
+   * @param viewingAngle the viewing angle, in degrees
    */
   record ChangeCamera(
       int step,
@@ -83,8 +83,8 @@ public sealed interface ScenarioEvent {
   /**
    * A camera goes offline.
    *
-   * @param duration the duration, steps; any value but 0 means for ever, as in CamSim; 0 does
-   *     nothing
+   * @param duration the duration, in steps; any value except 0 means permanently, as in CamSim; 0
+   *     does nothing
    */
   record FailCamera(int step, String camera, int duration) implements ScenarioEvent {
     static final EventKind<FailCamera, FailCamera> KIND =

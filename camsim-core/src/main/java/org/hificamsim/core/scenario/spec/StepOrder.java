@@ -1,6 +1,6 @@
 package org.hificamsim.core.scenario.spec;
 
-/** When targets move within a step; both orders are published. */
+/** The order in which targets move and cameras look within a step; both orders are published. */
 public enum StepOrder {
   /** Observe, then move: the coverage study. */
   COVERAGE,

@@ -62,7 +62,7 @@ mean, std: mean and standard deviation of a Brownian step, in x and y, m
   public static final Property<TargetSpec, Double> FEATURES =
       ELEMENT.required("features", Type.FINITE);
 
-  /** The movement's name as the file gives it; empty where an event gives none. */
+  /** The movement's name as the file gives it; empty if an event gives none. */
   public static final Property<TargetSpec, String> MOVE =
       ELEMENT.attribute("move", MOVEMENT, CAMSIM_PACKAGE + "Straight");
 
@@ -125,7 +125,7 @@ mean, std: mean and standard deviation of a Brownian step, in x and y, m
     super(spec);
   }
 
-  /** Creates a target at a position, metres, that stands still and looks north. */
+  /** Creates a target at a position, in metres, that stands still and looks north. */
   public TargetSpec(double features, double x, double y) {
     super(
         ELEMENT
@@ -150,12 +150,12 @@ mean, std: mean and standard deviation of a Brownian step, in x and y, m
     return get(ORIGIN);
   }
 
-  /** A coordinate of the start, metres; may lie outside the field. */
+  /** A coordinate of the start, in metres; may lie outside the field. */
   public double x() {
     return get(X);
   }
 
-  /** A coordinate of the start, metres; may lie outside the field. */
+  /** A coordinate of the start, in metres; may lie outside the field. */
   public double y() {
     return get(Y);
   }
@@ -169,22 +169,22 @@ mean, std: mean and standard deviation of a Brownian step, in x and y, m
     return get(SPEED);
   }
 
-  /** Edge of its bounding box q, metres, above 0. */
+  /** Returns the edge q of the target's bounding box, in metres, above 0. */
   public double size() {
     return find(SIZE).orElseGet(() -> extent().orElseThrow().size());
   }
 
-  /** Width and height, where the file gives them; the size follows from them. */
+  /** Returns width and height, which determine the size; empty unless the file gives them. */
   public Optional<Extent> extent() {
     return find(WIDTH).map(width -> new Extent(width, get(HEIGHT)));
   }
 
-  /** The width of the target, seen from above, metres. */
+  /** The width of the target, seen from above, in metres. */
   public double width() {
     return find(WIDTH).orElseGet(this::size);
   }
 
-  /** The height of the target, metres. */
+  /** The height of the target, in metres. */
   public double height() {
     return find(HEIGHT).orElseGet(this::size);
   }
@@ -194,7 +194,7 @@ mean, std: mean and standard deviation of a Brownian step, in x and y, m
     return find(SEEN);
   }
 
-  /** The same target with another size, metres. */
+  /** The same target with another size, in metres. */
   public TargetSpec withSize(double size) {
     return without(WIDTH).without(HEIGHT).with(SIZE, size);
   }
@@ -232,12 +232,14 @@ mean, std: mean and standard deviation of a Brownian step, in x and y, m
     return with(X, track.x(0)).with(Y, track.y(0)).with(TRACK, Optional.of(track));
   }
 
-  /** Mean of each coordinate's step, metres; Brownian only. */
+  /** Returns the mean of each coordinate's step, in metres; for Brownian motion only. */
   public double mean() {
     return get(MEAN);
   }
 
-  /** Standard deviation of each coordinate's step, metres; Brownian only. */
+  /**
+   * Returns the standard deviation of each coordinate's step, in metres; for Brownian motion only.
+   */
   public double std() {
     return get(STD);
   }

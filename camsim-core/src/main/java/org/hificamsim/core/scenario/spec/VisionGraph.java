@@ -13,8 +13,8 @@ import org.hificamsim.core.scenario.declaration.Type;
  * The links between cameras at the start of a scenario.
  *
  * @param isStatic the file's {@code static} attribute
- * @param neighbours by camera: the names of the cameras it is linked to, in document order; they
- *     need not exist
+ * @param neighbours for each camera, the names of the cameras it is linked to, in document order;
+ *     they need not exist
  */
 public record VisionGraph(boolean isStatic, Map<String, List<String>> neighbours) {
   public static final Element<VisionGraph> ELEMENT =

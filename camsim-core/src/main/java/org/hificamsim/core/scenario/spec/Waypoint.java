@@ -3,7 +3,7 @@ package org.hificamsim.core.scenario.spec;
 import org.hificamsim.core.scenario.declaration.Element;
 import org.hificamsim.core.scenario.declaration.Type;
 
-/** A corner of a target's path, metres. */
+/** A corner of a target's path, in metres. */
 public record Waypoint(double x, double y) {
   public static final Element<Waypoint> ELEMENT =
       Element.ofRecord(

@@ -21,11 +21,11 @@ import org.hificamsim.core.scenario.declaration.Type;
  * @param detection the detection that must see there; null for the scenario's
  * @param k the number of cameras that must see there; null for that of the scenario's objective
  * @param weight the worth of seeing the zone; 0 for a zone that demands nothing
- * @param facing the heading in which faces look that have to be seen, degrees; null for any
- * @param facingTolerance the most degrees from there to the camera; null for {@value
- *     #USUAL_TOLERANCE}
- * @param maxDepression the steepest angle at which cameras may look down at a face, degrees; null
- *     for any
+ * @param facing the heading of the faces that have to be seen, in degrees; null for any
+ * @param facingTolerance the greatest angle from that heading to the camera, in degrees; null for
+ *     {@value #USUAL_TOLERANCE}
+ * @param maxDepression the steepest angle at which cameras may look down at a face, in degrees;
+ *     null for any
  */
 public record Zone(
     String name,
@@ -53,10 +53,12 @@ public record Zone(
     }
   }
 
-  /** The angle up to which recognition of faces works about as well as from the front, degrees. */
+  /**
+   * The angle up to which recognition of faces works about as well as from the front, in degrees.
+   */
   private static final double USUAL_TOLERANCE = 30;
 
-  /** Half the width of the strip along a polyline, metres. */
+  /** Half the width of the strip along a polyline, in metres. */
   private static final double HALF_STRIP = 0.5;
 
   /** The attribute that needs a world with heights. */
@@ -172,7 +174,7 @@ in a world with heights | any
         maxDepression);
   }
 
-  /** The part of a target that cameras must see; empty where the zone leaves it to others. */
+  /** The part of a target that cameras must see; empty if the zone leaves it to others. */
   public Optional<Seen> seen() {
     return asksForFaces() ? Optional.of(Seen.FACE) : Optional.empty();
   }
@@ -204,7 +206,9 @@ in a world with heights | any
     return Math.abs(Math.IEEEremainder(heading - facing, 360)) <= tolerance();
   }
 
-  /** The most degrees from where faces look to the camera. */
+  /**
+   * The greatest angle between the heading of a face and the direction to the camera, in degrees.
+   */
   public double tolerance() {
     return facingTolerance == null ? USUAL_TOLERANCE : facingTolerance;
   }
@@ -221,7 +225,7 @@ in a world with heights | any
     };
   }
 
-  /** The smallest rectangle that has all of the zone that is in the field. */
+  /** The smallest rectangle that contains the part of the zone in the field. */
   public Field bounds(Field field) {
     if (shape == Shape.FIELD) {
       return field;

@@ -113,7 +113,7 @@ public final class StepPlaces {
     return (int) Math.min(step | (STEPS_PER_BLOCK - 1), last) - (int) step;
   }
 
-  /** The alternating x and y of all targets, metres. */
+  /** The alternating x and y of all targets, in metres. */
   double[] coordinates() {
     return coordinates;
   }

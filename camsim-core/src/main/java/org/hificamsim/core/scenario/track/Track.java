@@ -9,7 +9,7 @@ import org.hificamsim.core.obstacle.Point;
  * steps. Between two samples the target moves straight.
  */
 public final class Track {
-  /** A step this close to a sample counts as being at it: allows for rounding, seconds. */
+  /** The time, in seconds, up to which a step counts as being at a sample in spite of rounding. */
   private static final double SLACK = 1e-6;
 
   /** Each sample has a time, an x and a y. */
@@ -23,7 +23,7 @@ public final class Track {
    * Creates a track.
    *
    * @param samples for each sample the time in seconds from step 0, rising, and x and y in metres
-   * @param stepTime the step time, seconds, above 0
+   * @param stepTime the step time, in seconds, above 0
    */
   public Track(double[] samples, double stepTime) {
     this.samples = samples;
@@ -35,22 +35,22 @@ public final class Track {
     return samples.length / FIELDS;
   }
 
-  /** The time of a sample, seconds from step 0. */
+  /** The time of a sample, in seconds from step 0. */
   public double time(int sample) {
     return samples[FIELDS * sample];
   }
 
-  /** The x coordinate, metres. */
+  /** The x coordinate, in metres. */
   public double x(int sample) {
     return samples[FIELDS * sample + 1];
   }
 
-  /** The y coordinate, metres. */
+  /** The y coordinate, in metres. */
   public double y(int sample) {
     return samples[FIELDS * sample + 2];
   }
 
-  /** The duration of a step, seconds. */
+  /** The duration of a step, in seconds. */
   public double stepTime() {
     return stepTime;
   }
@@ -78,7 +78,7 @@ public final class Track {
   /**
    * Returns the rest of the track from a time on, with times from that time and moved positions.
    *
-   * @param start the time from which the track is kept, seconds, not after the last sample
+   * @param start the time from which the track is kept, in seconds, not after the last sample
    * @param moved maps each position to the new one
    */
   public Track from(double start, UnaryOperator<Point> moved) {
@@ -111,7 +111,7 @@ public final class Track {
     return length == 0 ? 0 : length / (time(samples() - 1) - time(0)) * stepTime;
   }
 
-  /** The heading from the first to the second sample, degrees, 0 is +y and 90 is +x. */
+  /** The heading from the first to the second sample, in degrees, 0 is +y and 90 is +x. */
   public double heading() {
     return samples() == 1 ? 0 : Math.toDegrees(Math.atan2(x(1) - x(0), y(1) - y(0)));
   }

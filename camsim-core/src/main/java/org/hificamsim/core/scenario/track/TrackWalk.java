@@ -42,12 +42,12 @@ public final class TrackWalk {
     }
   }
 
-  /** The x coordinate, metres. */
+  /** The x coordinate, in metres. */
   public double x() {
     return coordinates[index];
   }
 
-  /** The y coordinate, metres. */
+  /** The y coordinate, in metres. */
   public double y() {
     return coordinates[index + 1];
   }

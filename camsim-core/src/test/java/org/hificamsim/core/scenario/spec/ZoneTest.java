@@ -50,7 +50,7 @@ class ZoneTest {
   }
 
   @Test
-  void countsAllCamerasUnlessItAsksForFaces() {
+  void countsAllCamerasUnlessFacesAreDemanded() {
     assertTrue(Zone.ofField().showsFace(0, -1, 1000));
     assertTrue(!Zone.ofField().asksForFaces() && zone(null, null, 15.0).asksForFaces());
   }

@@ -9,7 +9,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Positions at each step of a track, computed on the way or beforehand. */
+/** Tests the positions of a track in each step, computed during the run or in advance. */
 class TrackWalkTest {
   private static final double STEP = 0.5; // s
 

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Places of elements and attributes, and errors of invalid XML. */
+/** Tests the places of elements and attributes, and errors of invalid XML. */
 class XmlParserTest {
   @TempDir Path folder;
 
