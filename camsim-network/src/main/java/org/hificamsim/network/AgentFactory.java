@@ -79,7 +79,9 @@ final class AgentFactory {
     return new Agent(camera, role.limit(), schedule, role.communication().policy(), links, shared);
   }
 
-  /** Returns whether a camera asks all its neighbours throughout the run, whatever its links. */
+  /**
+   * Returns whether a camera asks all its neighbours throughout the run, regardless of its links.
+   */
   private static boolean alwaysAsksAll(CameraRole role) {
     return role.communication().policy() == CommunicationPolicy.BROADCAST
         && role.bandit().isEmpty();

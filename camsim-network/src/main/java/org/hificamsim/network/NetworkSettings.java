@@ -36,7 +36,7 @@ public record NetworkSettings(
     BanditParameters banditParameters,
     HistoricalParameters historicalParameters,
     Set<Quirk> quirks) {
-  /** How the vision graph of a scenario is used: CamSim's option {@code -v} (behaviour 3.6). */
+  /** The use of a scenario's vision graph: CamSim's option {@code -v} (behaviour 3.6). */
   public enum GraphUse {
     AS_IN_FILE(-1),
     STATIC(0),

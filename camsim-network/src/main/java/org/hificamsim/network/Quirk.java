@@ -11,7 +11,9 @@ import org.hificamsim.core.Spelling;
 public enum Quirk {
   /** Targets whose class name selects waypoints use their heading as their speed. */
   WAYPOINT_SPEED_IS_HEADING("Q3"),
-  /** A policy freezes links, and that of the camera before reverses them, instead of the graph. */
+  /**
+   * The policy freezes links, and the previous camera's policy reverses them, instead of the graph.
+   */
   LINKS_FREEZE_BY_POLICY("Q5"),
   /** A camera that an event switches off for some steps never comes back. */
   FAILED_CAMERAS_STAY_OFFLINE("Q6"),

@@ -20,7 +20,7 @@ final class RoleReader {
   /**
    * The role of one camera in the network.
    *
-   * @param limit the number of owned targets from which on it claims no more; 0 for no limit
+   * @param limit the number of owned targets at which it claims no more; 0 for no limit
    */
   record CameraRole(
       ScheduleKind schedule,

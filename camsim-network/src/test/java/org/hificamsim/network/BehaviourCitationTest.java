@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Comments that say "behaviour 8.3" cite a section that docs/camsim-behaviour.md has. */
+/** Tests that comments such as "behaviour 8.3" cite sections that docs/camsim-behaviour.md has. */
 class BehaviourCitationTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", ".."));
   private static final Pattern HEADING = Pattern.compile("(?m)^#{2,3} (\\d+(\\.\\d+)?)");

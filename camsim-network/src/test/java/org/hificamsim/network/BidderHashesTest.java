@@ -77,7 +77,7 @@ class BidderHashesTest {
     return hashes;
   }
 
-  /** Nine cameras, two of which have published hash codes (behaviour 4.5). */
+  /** Returns a scenario of nine cameras, two of which have published hash codes (behaviour 4.5). */
   private static TestScenario grid() {
     TestScenario grid = new TestScenario().field(-20, 20, -20, 20);
     for (int i = 0; i < 9; i++) {

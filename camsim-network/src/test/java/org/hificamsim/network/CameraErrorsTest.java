@@ -24,7 +24,7 @@ import org.hificamsim.network.agent.TargetKeys;
 import org.hificamsim.network.bandit.BanditParameters;
 import org.junit.jupiter.api.Test;
 
-/** Tests random failures with scripted draws: percent, camera, duration, percent. */
+/** Tests random failures with scripted draws: percent, camera, duration, in percent. */
 class CameraErrorsTest {
   private static final int ERROR_LEVEL = 4;
   private static final int RESET_LEVEL = 50;

@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.hificamsim.core.scenario.spec.VisionGraph;
 import org.junit.jupiter.api.Test;
 
-/** The links of a scenario's vision graph. */
+/** Tests the links of a scenario's vision graph. */
 class InitialLinksTest {
   @Test
   void graphGivesForwardReverseAndUnknownLinks() {

@@ -16,7 +16,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Ownership, auctions, messages and schedules on scenarios small enough to follow by hand. */
+/**
+ * Tests ownership, auctions, messages and schedules in scenarios that are small enough to check by
+ * hand.
+ */
 class NetworkTest {
   private static final String ACTIVE = "ai_algorithm='active' comm='0'";
   private static final String PASSIVE = "ai_algorithm='passive' comm='0'";

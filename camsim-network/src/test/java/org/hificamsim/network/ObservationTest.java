@@ -18,7 +18,9 @@ import org.hificamsim.core.scenario.spec.ScenarioEvent.FailCamera;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** In a network, cameras look once per step, and coverage counts only what they saw. */
+/**
+ * Tests that cameras of a network look once per step, and that coverage counts only what they saw.
+ */
 class ObservationTest {
   private static final int STEPS = 20;
 

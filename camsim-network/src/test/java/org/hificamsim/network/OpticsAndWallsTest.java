@@ -32,7 +32,7 @@ class OpticsAndWallsTest {
     }
   }
 
-  /** Two cameras, of which A is nearer to the only target. */
+  /** Returns a network of two cameras, of which A is nearer to the only target. */
   private static SmallNetwork nearAndFar() {
     return new SmallNetwork()
         .camera("A", 0, 0, 10, ACTIVE)
@@ -98,7 +98,9 @@ class OpticsAndWallsTest {
     }
   }
 
-  /** Two cameras that look at each other in their views 0 and 1 and apart in 2 and 3. */
+  /**
+   * Returns a network of two cameras that look at each other in views 0 and 1 and apart in 2 and 3.
+   */
   private static SmallNetwork facing(String attributes) {
     String camera = "<camera name='%s' x='%s' y='0' heading='%s' optics='ptz' %s/>";
     return new SmallNetwork()

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
-/** Each quirk of CamSim: those always kept for its numbers, and those that can be left out. */
+/** Tests each quirk of CamSim: those that are always kept, and those that can be left out. */
 class QuirkTest {
   private static final String ACTIVE = "ai_algorithm='active' comm='0'";
   private static final String PASSIVE = "ai_algorithm='passive' comm='0'";

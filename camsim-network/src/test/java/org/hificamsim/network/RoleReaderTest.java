@@ -40,7 +40,7 @@ class RoleReaderTest {
   }
 
   @Test
-  void cameraOfFileGetsItsOwnRole() {
+  void eachCameraOfFileGetsItsOwnRole() {
     CameraRole role = read(new RoleReader(NetworkSettings.CAMSIM, false), SMOOTH, false);
     assertEquals(ScheduleKind.PASSIVE, role.schedule());
     assertEquals(CommunicationPolicy.SMOOTH, role.communication().policy());

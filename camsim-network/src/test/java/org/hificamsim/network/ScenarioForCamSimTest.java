@@ -11,7 +11,7 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.junit.jupiter.api.Test;
 
-/** The ranges of cameras in scenarios that are written for CamSim. */
+/** Tests the ranges of cameras in scenarios that are written for CamSim. */
 class ScenarioForCamSimTest {
   private static final OpticsSpec DOME =
       new OpticsSpec("dome")

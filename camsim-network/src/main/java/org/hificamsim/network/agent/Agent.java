@@ -18,9 +18,8 @@ public final class Agent {
    *
    * @param keys the keys of all targets, including those that events will add
    * @param searches the searches of all agents
-   * @param random draws the cameras that Smooth and Step ask
-   * @param bidderHash gives the hash code of a camera, which orders bids; null for the order of
-   *     arrival
+   * @param random the generator that draws the cameras which Smooth and Step ask
+   * @param bidderHash the hash code of a camera, which orders bids; null for the order of arrival
    * @param exactPrices whether a price is the second highest value, and prices paid add up; false
    *     for quirk Q14
    */
@@ -50,7 +49,7 @@ public final class Agent {
   /**
    * Creates an agent without targets and neighbours.
    *
-   * @param limit the number of owned targets from which on it claims no more; 0 for no limit
+   * @param limit the number of owned targets at which it claims no more; 0 for no limit
    */
   public Agent(
       int camera,

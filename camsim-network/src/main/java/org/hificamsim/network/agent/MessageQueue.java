@@ -16,7 +16,7 @@ import org.hificamsim.core.channel.Stations;
  * call that sends (behaviour 8.2). On an imperfect channel, {@link Post} carries the messages.
  */
 public final class MessageQueue {
-  /** Stands for all neighbours of the sender. */
+  /** The receiver of a message to all neighbours of the sender. */
   public static final int NEIGHBOURS = -1;
 
   /** Delivers messages to cameras. */
@@ -37,12 +37,12 @@ public final class MessageQueue {
 
   private final int bitsWithoutValue;
 
-  /** Carries messages over the channel; null if the channel is perfect. */
+  /** The carrier of messages over the channel; null if the channel is perfect. */
   private Post<Message> post;
 
   private Stations stations;
 
-  /** Counts the bits of messages that no {@link #post} carries and counts. */
+  /** The log of the bits of messages that no {@link #post} carries and counts. */
   private RadioLog radio = RadioLog.NONE;
 
   private final List<Message> waiting = new ArrayList<>();

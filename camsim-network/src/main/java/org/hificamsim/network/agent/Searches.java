@@ -11,7 +11,7 @@ import org.hificamsim.core.world.Cameras;
  * all cameras.
  */
 public final class Searches {
-  /** Nobody owns the target: the first camera that sees it may claim it. */
+  /** The owner of a target that nobody owns, which the first camera that sees it may claim. */
   static final int NOBODY = -1;
 
   /** The camera does not search for the target. */

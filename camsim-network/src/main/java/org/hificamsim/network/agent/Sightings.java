@@ -19,7 +19,8 @@ import org.hificamsim.core.world.World;
  */
 public final class Sightings {
   /**
-   * Below this number of pairs of cameras and targets, looking at every pair is faster than a grid.
+   * The number of pairs of cameras and targets below which looking at every pair is faster than a
+   * grid.
    */
   private static final long MIN_PAIRS = 4_000;
 
@@ -30,7 +31,7 @@ public final class Sightings {
   private final Visibility visibility;
   private final PointGrid grid;
 
-  /** By camera, then by target. */
+  /** The confidence by camera and target. */
   private final double[][] confidence;
 
   /** The visible targets of each camera, in the order in which they became visible. */
@@ -106,8 +107,8 @@ public final class Sightings {
    * Lets every online camera look at every present target.
    *
    * @param step the current step
-   * @param detected by camera, receives the number of targets that it sees, 0 while offline
-   * @param coverage by target, receives the number of cameras that see it
+   * @param detected for each camera, receives the number of targets that it sees, 0 while offline
+   * @param coverage for each target, receives the number of cameras that see it
    * @param newLate what cameras know a step late
    */
   public void look(long step, int[] detected, int[] coverage, LateDetections newLate) {

@@ -15,7 +15,7 @@ public final class TargetKeys {
   /**
    * Creates the keys of all targets.
    *
-   * @param features by target, including those that events will add
+   * @param features the features of each target, including those that events will add
    */
   public TargetKeys(double[] features) {
     keys = new int[features.length];

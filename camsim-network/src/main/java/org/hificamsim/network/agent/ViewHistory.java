@@ -25,7 +25,7 @@ final class ViewHistory {
   private final Targets targets;
   private final HistoricalParameters parameters;
 
-  /** By target: its present stay in the view. */
+  /** The present stay of each target in the view. */
   private final Stay[] stays;
 
   /** The total length of finished stays, in steps, by category. */

@@ -105,7 +105,7 @@ public enum BanditAlgorithm implements Named {
    */
   abstract int choose(Arms arms, double epsilon, Random random);
 
-  /** The number of steps for which an arm is kept that was chosen {@code chosen} times before. */
+  /** The number of steps for which an arm is kept if it was chosen {@code chosen} times before. */
   int interval(int chosen, BanditParameters parameters) {
     return parameters.interval();
   }

@@ -18,7 +18,7 @@ public final class BanditSolver {
   private final Random random;
   private final Arms arms;
 
-  /** How often each amount of communication has occurred. */
+  /** The number of times that each amount of communication has occurred. */
   private final SortedMap<Double, Integer> communicationCounts = new TreeMap<>();
 
   private int current = NONE;

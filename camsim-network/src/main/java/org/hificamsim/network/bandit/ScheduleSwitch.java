@@ -39,7 +39,7 @@ public final class ScheduleSwitch implements CameraBandit {
     return changed;
   }
 
-  /** CamSim's number of the current schedule and policy; -1 if they are not an arm. */
+  /** Returns CamSim's number of the current schedule and policy; -1 if they are not an arm. */
   private int currentArm() {
     int policy = CURRENT_POLICIES.indexOf(agent.policy());
     if (agent.schedule().isHistorical() || policy < 0) {

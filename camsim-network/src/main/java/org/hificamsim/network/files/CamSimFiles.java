@@ -41,10 +41,10 @@ public final class CamSimFiles implements Closeable {
   private final NetworkRun run;
   private final RunPlan plan;
 
-  /** Null if {@link #stepsFile} cannot be opened. */
+  /** The table of steps; null if {@link #stepsFile} cannot be opened. */
   private StepTable steps;
 
-  /** Null unless coverage was asked for. */
+  /** The run whose coverage is written; null unless coverage was asked for. */
   private SingleRun coverage;
 
   /**

@@ -12,12 +12,12 @@ public final class OverlapTable {
   private final Cameras cameras;
   private final ToDoubleBiFunction<RangeCircle, RangeCircle> overlap;
 
-  /** By camera, then by later camera. */
+  /** The overlap by camera and later camera. */
   private final double[][] overlaps;
 
   private final RangeCircle[] circles;
 
-  /** By camera: the last sum before its pairs were added, and after. */
+  /** The last sum of each camera before and after its pairs were added. */
   private final double[] sumsBefore;
 
   private final double[] sumsAfter;

@@ -6,9 +6,9 @@ import org.hificamsim.core.world.Cameras;
 /**
  * The circle around a camera within its current range; CamSim ignores opening angles.
  *
- * @param x metres
- * @param y metres
- * @param radius metres; 0 while the camera moves blindly
+ * @param x the x coordinate in metres
+ * @param y the y coordinate in metres
+ * @param radius the radius in metres; 0 while the camera moves blindly
  */
 record RangeCircle(double x, double y, double radius) {
   /** Returns the circle of a camera as it is now. */

@@ -1,2 +1,2 @@
-/** CamSim's columns: what a step was worth, and how far fields of view overlap. */
+/** The statistics of CamSim's files: the value of each step, and the overlap of fields of view. */
 package org.hificamsim.network.statistics;

@@ -35,7 +35,9 @@ import org.hificamsim.runs.compare.RunEngine;
 public final class NetworkSearch {
   private static final int POPULATION = 60;
 
-  /** Limits the generations, since a generation without new networks uses none of the budget. */
+  /**
+   * The limit on generations, because a generation without new networks uses none of the budget.
+   */
   private static final int GENERATIONS_PER_POPULATION = 20;
 
   private final NetworkChoice choice;

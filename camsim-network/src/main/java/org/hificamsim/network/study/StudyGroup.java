@@ -39,10 +39,10 @@ public final class StudyGroup {
 
   private final List<StudyPlan> plans;
 
-  /** By network, then by seed. */
+  /** The utility by network and seed. */
   private final double[][] utility;
 
-  /** By network, then by seed. */
+  /** The cost by network and seed. */
   private final double[][] cost;
 
   /** Sums over the seeds, so that leaving one out is cheap. */

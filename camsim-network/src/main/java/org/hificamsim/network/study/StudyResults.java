@@ -15,7 +15,7 @@ import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.RunTask;
 
-/** The measurements of the runs of a study: about a hundred bytes per run, whatever its length. */
+/** The measurements of the runs of a study: about a hundred bytes per run of any length. */
 public final class StudyResults {
   /** The metrics kept for each run. */
   static final List<Metric> KEPT =
@@ -37,9 +37,7 @@ public final class StudyResults {
   private final List<StudyPlan> plans = new ArrayList<>();
   private final Map<String, Integer> planIndexes = new HashMap<>();
 
-  /**
-   * By plan; each array has the {@link #KEPT} metrics of the first repeat, then of the second...
-   */
+  /** The metrics of each plan: the {@link #KEPT} ones of the first repeat, then of the second... */
   private final List<double[]> figures = new ArrayList<>();
 
   /**

@@ -14,7 +14,9 @@ import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** A camera with a range of 5 m moves past targets at x = 0, 3 and 6. */
+/**
+ * Tests the sightings of a camera with a range of 5 m that moves past targets at x = 0, 3 and 6.
+ */
 class SightingsTest {
   private final World world =
       new TestScenario().camera(0, 0).target(0, 0).target(3, 0).target(6, 0).world();

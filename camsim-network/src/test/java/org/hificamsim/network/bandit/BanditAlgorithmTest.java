@@ -15,7 +15,7 @@ import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-/** The formulas of behaviour 9.3, computed from lists of all results. */
+/** Tests bandits by the formulas of behaviour 9.3, computed from lists of all results. */
 class BanditAlgorithmTest {
   private static final double EPSILON = 0.25;
   private static final int ROUNDS = 400;

@@ -8,7 +8,9 @@ import org.hificamsim.core.Reference;
 import org.hificamsim.network.agent.Named;
 import org.junit.jupiter.api.Test;
 
-/** CamSim's recorded bandits, each alone: arms chosen, counts and rewards. */
+/**
+ * Tests that each bandit chooses the arms that CamSim recorded, with the same counts and rewards.
+ */
 class CamSimBanditTest {
   private static final double TOLERANCE = 1e-9;
 

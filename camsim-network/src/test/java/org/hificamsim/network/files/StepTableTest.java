@@ -19,7 +19,7 @@ class StepTableTest {
   private static final StepFigures FIGURES =
       new StepFigures(3, 0.5, 7, 1, 0.25, 9, 12.5, 0.75, 1, 2);
 
-  /** A disk with room for the header alone. */
+  /** A disk with room for the header only. */
   private static final class FullDisk extends Writer {
     private int room = 100;
     private boolean closed;

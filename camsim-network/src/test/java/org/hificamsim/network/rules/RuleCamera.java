@@ -12,7 +12,7 @@ import org.w3c.dom.Element;
  * describe it. Messages are nested calls.
  */
 final class RuleCamera {
-  /** Stands for the searcher of an object that nobody owns. */
+  /** The searcher of an object that nobody owns. */
   static final Object NOBODY = new Object();
 
   /** The counts of all cameras of a run. */

@@ -16,7 +16,7 @@ import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.operation.union.CascadedPolygonUnion;
 
 class FrontTest {
-  /** Whole numbers, so that many points are equal or have one value in common. */
+  /** Returns whole numbers, so that many points are equal or have one value in common. */
   private static double[] numbers(Random random, int count) {
     return random.ints(count, 0, 12).asDoubleStream().toArray();
   }
