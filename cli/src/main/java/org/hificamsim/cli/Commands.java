@@ -7,8 +7,8 @@ import picocli.CommandLine;
 import picocli.CommandLine.HelpCommand;
 
 /**
- * The commands of {@code hificamsim}. A call that begins with the name of a command loads this
- * command alone, since reading the options of all others takes a quarter of the time of a short
+ * The commands of {@code hificamsim}. A call that begins with the name of a command loads only this
+ * command, because reading the options of all others takes a quarter of the time of a short
  * command.
  */
 final class Commands {

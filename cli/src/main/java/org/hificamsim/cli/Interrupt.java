@@ -35,7 +35,10 @@ final class Interrupt {
     return Duration.between(start, Instant.now()).toNanos() / 1e9;
   }
 
-  /** Uses reflection, because the compiler warns of the JDK's only class for signals. */
+  /**
+   * Listens for Ctrl-C by reflection, because the compiler warns of the JDK's only class for
+   * signals.
+   */
   private void listen() {
     try {
       Class<?> signal = Class.forName("sun.misc.Signal");

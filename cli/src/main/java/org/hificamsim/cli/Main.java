@@ -174,7 +174,7 @@ public final class Main {
     return code;
   }
 
-  /** Omits the middle of a long message and keeps its end, which tells what was expected. */
+  /** Omits the middle of a long message and keeps its end, which says what was expected. */
   private static String shortened(String message) {
     int length = message.length();
     return length <= 2 * KEPT_CHARACTERS

@@ -21,7 +21,7 @@ final class MountOptions {
   /** The default number of candidate positions along the longer side of the field. */
   private static final double DEFAULT_POSITIONS = 40;
 
-  /** The least distance of a camera from what it is mounted on, metres. */
+  /** The least distance of a camera from what it is mounted on, in metres. */
   private static final double MIN_CLEARANCE = 0.02;
 
   @Option(names = "--candidates", paramLabel = "every=M|FILE.csv")

@@ -13,10 +13,10 @@ import picocli.CommandLine.Option;
 
 /** The options of {@code view} that begin a site with a floor plan. */
 final class NewSiteOptions {
-  /** The width of a plan until its scale is set on the page, metres. */
+  /** The width of a plan until its scale is set on the page, in metres. */
   private static final double DRAFT_WIDTH = 20;
 
-  /** The height of the cameras, metres. */
+  /** The height of the cameras, in metres. */
   private static final double MOUNT_HEIGHT = 3;
 
   @Option(names = "--new", paramLabel = "PLAN")

@@ -151,7 +151,7 @@ final class PlanOptions {
         .area(picture);
   }
 
-  /** Sets the width of the plan, metres, as if the user had asked for it. */
+  /** Sets the width of the plan, in metres, as if the user had asked for it. */
   void assumeWidth(double metres) {
     width = metres;
   }

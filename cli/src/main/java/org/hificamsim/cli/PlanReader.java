@@ -62,7 +62,7 @@ record PlanReader(Path file, PlanOptions options) {
    *
    * @param name the name of the scenario
    * @param cameras the number of draft cameras
-   * @param margin the margin around the drawing, metres
+   * @param margin the margin around the drawing, in metres
    * @param drawing the drawing of the walls; empty if there is only a floor plan
    * @param floorplan the picture under the site
    */

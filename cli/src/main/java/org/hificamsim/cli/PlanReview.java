@@ -63,7 +63,7 @@ record PlanReview(Path file, EvaluatedPlan plan) {
         "%.2f %% by %s, k = %d", 100 * cover.claimedShare(zone), zone.detection().name(), zone.k());
   }
 
-  /** The numbers of cameras, those first without which the smallest share is met. */
+  /** Returns the numbers of cameras by the shares that are met without them, the smallest first. */
   private static List<Integer> byShare(double[] shares) {
     return IntStream.range(0, shares.length)
         .boxed()

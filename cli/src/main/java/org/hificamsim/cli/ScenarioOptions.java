@@ -48,7 +48,7 @@ final class ScenarioOptions {
     return read(ScenarioReader::read, file, asked, catalogue, err);
   }
 
-  /** Reads a scenario like {@link #read}, but one that may have no cameras and no targets. */
+  /** Reads a scenario like {@link #read}, but also accepts one without cameras or targets. */
   Scenario readSite(Path file, Settings asked, Catalogue catalogue, PrintWriter err) {
     return read(ScenarioReader::readSite, file, asked, catalogue, err);
   }

@@ -26,7 +26,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code hificamsim site}: makes a scenario from a floor plan alone. */
+/** {@code hificamsim site}: makes a scenario from a floor plan. */
 @Command(
     name = "site",
     description = "Makes a scenario from a floor plan: a drawing, a map or a picture.")

@@ -20,13 +20,13 @@ class CommandsTest {
 
   @ParameterizedTest
   @MethodSource("names")
-  void readsNamedCommandAlone(String name) {
+  void loadsOnlyTheNamedCommand(String name) {
     assertEquals(Set.of(name), Commands.line(name).getSubcommands().keySet());
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"help", "generate-completion", "--help", "CAMSIM", "unknown"})
-  void readsAllCommandsForAnyOtherWord(String word) {
+  void loadsAllCommandsForAnyOtherWord(String word) {
     assertEquals(ALL, Commands.line(word).getSubcommands().keySet());
   }
 }
