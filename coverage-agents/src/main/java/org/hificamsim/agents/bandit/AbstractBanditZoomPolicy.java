@@ -19,10 +19,10 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   private Utility.Reading reading;
   private Utility utility;
 
-  /** By camera and view: the mean reward. */
+  /** The mean reward by camera and view. */
   private double[][] means;
 
-  /** By camera and view: the number of rewards in that mean. */
+  /** The number of rewards in each mean, by camera and view. */
   private long[][] pulls;
 
   /** Reads the option {@code utility}, which is the last option of each bandit. */

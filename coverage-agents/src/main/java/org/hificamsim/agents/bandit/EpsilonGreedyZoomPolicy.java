@@ -11,7 +11,7 @@ import org.hificamsim.core.registry.Options;
  * The epsilon-greedy bandit (thesis 7.4.3, Eq 7.3): each camera takes the view with the best
  * average number of detected targets, and explores with probability epsilon.
  *
- * <p>The average of a view that was never used is 0. What the thesis leaves open is an option:
+ * <p>The average of a view that was never used is 0. Options decide what the thesis leaves open:
  * which of equally good views is best ({@code ties}), what exploring draws from ({@code explore}),
  * and whether epsilon decays ({@code epsilon-decay}, {@code epsilon-min}).
  */

@@ -8,13 +8,15 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * Each camera takes the view in which it would detect most targets now, whatever the others detect.
- * If detections depend on chance, it takes the view with the greatest expected number. It uses what
- * no camera knows, what it would detect in other views, but not the luck that will be drawn.
+ * Each camera takes the view in which it would detect most targets now, and ignores what others
+ * detect. If detections depend on chance, it takes the view with the greatest expected number. It
+ * uses what no camera knows, what it would detect in other views, but not the luck that will be
+ * drawn.
  *
  * <p>A camera chooses among the views that it {@linkplain OracleView#reaches reaches}. If it would
- * detect nothing in any of these, it moves towards the best of all views, however far. Of equally
- * good views it takes the present one, then the widest, then the one for which it turns least.
+ * detect nothing in any of these, it moves towards the best of all views, however far. Among
+ * equally good views it prefers the present one, then the widest, then the one for which it turns
+ * least.
  *
  * <p>This is not the greedy approach of thesis 7.4.1, which is {@code optimal} or {@code one-hop}.
  */
@@ -27,7 +29,7 @@ public final class IndependentGreedyZoomPolicy implements OraclePolicy {
 
   private final Among among;
 
-  /** By view, the expected number of detected targets. */
+  /** The expected number of detected targets, by view. */
   private double[] expected = {};
 
   private int[] targets = {};
@@ -74,7 +76,7 @@ public final class IndependentGreedyZoomPolicy implements OraclePolicy {
     return among == Among.ALL || expected[reached] == 0 ? best(network, camera, true) : reached;
   }
 
-  /** If detections do not depend on chance, all views are computed at once. */
+  /** Computes the expected numbers of a camera, for all views at once if no chance is involved. */
   private void updateExpected(OracleView network, int camera) {
     if (network.certain()) {
       network.detections(camera, masks, words);

@@ -6,7 +6,9 @@ import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
-/** Each camera sweeps its pan angles back and forth, at one zoom level, whatever it sees. */
+/**
+ * Each camera sweeps its pan angles back and forth at one zoom level, regardless of what it sees.
+ */
 public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
   static final int MAX_DWELL = 1_000_000;
 

@@ -27,10 +27,10 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   private final PatrolZoomPolicy.Zoom search;
   private final SeenPairs pairs = new SeenPairs();
 
-  /** By camera, the nearest target that it sees, or {@link #NONE}. */
+  /** The nearest target that each camera sees, or {@link #NONE}. */
   private int[] nearestTargets = {};
 
-  /** By camera, the distance to this target, metres. */
+  /** The distance of each camera to its nearest target, in metres. */
   private double[] distances = {};
 
   private PatrolZoomPolicy.Sweep[] sweeps = {};
@@ -94,7 +94,7 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
         : sweeps[camera].next(network, camera, search.number(network.zooms(camera)));
   }
 
-  /** A camera that sees while it moves follows a target that comes into its picture. */
+  /** Lets a camera that sees while it moves follow a target that comes into its picture. */
   @Override
   protected int travel(NetworkView network, int camera) {
     return nearestTargets[camera] != NONE ? follow(network, camera) : network.view(camera);

@@ -8,7 +8,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 /**
  * A policy without a centre: each online camera chooses its own next view.
  *
- * <p>Where moves take time, a camera chooses once it has arrived, not while it is moving (ADR 28).
+ * <p>If moves take time, a camera chooses after it has arrived, not during a move (ADR 28).
  */
 public abstract class AbstractDistributedZoomPolicy implements ZoomPolicy {
   /**

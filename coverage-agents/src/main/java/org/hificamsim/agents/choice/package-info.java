@@ -1,2 +1,5 @@
-/** How a camera chooses among its views: ties, exploration, utility, and its own random numbers. */
+/**
+ * The rules by which a camera chooses among its views: ties, exploration, utility, and its own
+ * random numbers.
+ */
 package org.hificamsim.agents.choice;

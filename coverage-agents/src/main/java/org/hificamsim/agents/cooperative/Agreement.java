@@ -37,8 +37,8 @@ interface Agreement {
    * choices are at least half as good as the best plan (Fisher, Nemhauser and Wolsey, 1978), and so
    * is a plan that no camera would leave (Vetta, 2002).
    *
-   * @param rounds in which each camera chooses once, at most; the first one always counts as a
-   *     change, because no camera has chosen in this step before
+   * @param rounds the greatest number of rounds, in which each camera chooses once; the first one
+   *     always counts as a change, because no camera has chosen in this step before
    */
   static void chooseInTurn(NetworkView network, Team team, int rounds) {
     boolean changed = true;

@@ -49,7 +49,7 @@ final class Association {
     return report.copy(numbers);
   }
 
-  /** By sighting and track, the distance as a share of the track's reach, at most 1. */
+  /** Returns the distances as shares of the track's reach, at most 1, by sighting and track. */
   private double[][] costs(SightingReport report, long now) {
     double[][] costs = new double[report.count()][tracks.count()];
     for (int i = 0; i < costs.length; i++) {

@@ -7,7 +7,7 @@ import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Where targets are believed to be, according to the reports that have arrived: tracks of targets
+ * The believed positions of targets, according to the reports that have arrived: tracks of targets
  * that were seen lately, and a search map of targets that no camera sees. The number of targets is
  * unknown.
  *
@@ -22,7 +22,7 @@ final class Belief {
   private final LearnedSight learnedSight;
   private final LearnedValues learnedValues;
 
-  /** Null if reports identify targets. */
+  /** The assignment of sightings to tracks; null if reports identify targets. */
   private final Association association;
 
   private final IdentitySwitches identitySwitches;

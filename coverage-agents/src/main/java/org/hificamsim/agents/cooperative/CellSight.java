@@ -7,17 +7,17 @@ import org.hificamsim.core.policy.NetworkView;
  * The cells of a grid that each camera sees in each of its views, with its chance to detect there.
  */
 final class CellSight {
-  /** A cell is sampled at these parts of its width and height. */
+  /** The parts of a cell's width and height at which it is sampled. */
   private static final double[] SAMPLED_PARTS = {0.25, 0.75};
 
   private static final double SAMPLE_WEIGHT = 1.0 / (SAMPLED_PARTS.length * SAMPLED_PARTS.length);
 
   private final Grid grid;
 
-  /** By camera and view: the numbers of the cells that are seen. */
+  /** The numbers of the cells that are seen, by camera and view. */
   private final int[][][] cells;
 
-  /** By camera and view, and in the order of the cells. */
+  /** The chances of the same cells, in the same order. */
   private final float[][][] chances;
 
   CellSight(Grid grid, int cameras) {
@@ -26,7 +26,7 @@ final class CellSight {
     this.chances = new float[cameras][][];
   }
 
-  /** Computes what all cameras see of targets of this size, metres. */
+  /** Computes what all cameras see of targets of this size, in metres. */
   void update(NetworkView network, Site site, double size) {
     for (int camera = 0; camera < cells.length; camera++) {
       update(network, site, size, camera);

@@ -10,12 +10,12 @@ import org.hificamsim.core.policy.NetworkView;
  * until then counts a camera with its last choice.
  */
 final class ConsensusAuction implements Agreement {
-  /** Stands for the missing bid of a camera that already has its view or is offline. */
+  /** The bid of a camera that makes none: one that already has its view or is offline. */
   private static final double NO_BID = -1;
 
   private final double[] bids;
 
-  /** By camera, the view that it bids for; {@link Plan#NONE} once it has that view. */
+  /** The view that each camera bids for; {@link Plan#NONE} once it has that view. */
   private final int[] views;
 
   ConsensusAuction(int cameras) {

@@ -17,7 +17,7 @@ final class Forecast {
   private double[] sizes = {};
   private double[] weights = {};
 
-  /** By step: the targets that hide others. */
+  /** The targets that hide others, by step. */
   private final Hiding[] hidings;
 
   Forecast(Parameters parameters) {
@@ -34,7 +34,7 @@ final class Forecast {
   /**
    * Predicts all slots from where targets are believed to be now.
    *
-   * @param hidingWidth width of targets that hide each other, metres; 0 if they hide nothing
+   * @param hidingWidth width of targets that hide each other, in metres; 0 if they hide nothing
    */
   void update(TargetTracks tracks, double hidingWidth) {
     for (int step = 0; step < horizon; step++) {
@@ -108,12 +108,12 @@ final class Forecast {
     return ys[slot];
   }
 
-  /** The size of the target of a slot, metres. */
+  /** The size of the target of a slot, in metres. */
   double size(int slot) {
     return sizes[slot];
   }
 
-  /** How much the target of a slot counts in its step. */
+  /** Returns the weight of a slot's target in its step. */
   double weight(int slot) {
     return weights[slot];
   }

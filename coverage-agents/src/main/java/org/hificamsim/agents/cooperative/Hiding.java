@@ -26,8 +26,8 @@ final class Hiding {
   /**
    * Removes all targets.
    *
-   * @param width width of targets, metres; 0 if they hide nothing
-   * @param movedDistance how far targets move between their sightings and this step, metres
+   * @param width width of targets, in metres; 0 if they hide nothing
+   * @param movedDistance how far targets move between their sightings and this step, in metres
    */
   void clear(double width, double movedDistance) {
     radius = width / 2;

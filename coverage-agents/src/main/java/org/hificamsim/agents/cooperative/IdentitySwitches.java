@@ -11,7 +11,7 @@ final class IdentitySwitches {
 
   private final TargetTracks tracks;
 
-  /** By target, the track of its last sighting; see {@link TargetTracks#birth}. */
+  /** The track of each target's last sighting; see {@link TargetTracks#birth}. */
   private final long[] lastTracks;
 
   private long count;

@@ -16,12 +16,12 @@ final class LearnedValues {
   private final Learn learn;
   private final double discount;
 
-  /** By camera and view; empty if nothing is learned. */
+  /** The values by camera and view; empty if nothing is learned. */
   private final double[][] values;
 
   private final int[][] lookCounts;
 
-  /** By camera, the worth that it added in this step, less what the model promised. */
+  /** The worth that each camera added in this step, minus what the model promised. */
   private final double[] errors;
 
   private final int[] lastViews;

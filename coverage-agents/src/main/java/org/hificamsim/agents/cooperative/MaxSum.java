@@ -9,7 +9,7 @@ import org.hificamsim.core.policy.NetworkView;
  * that they may detect, each target once for each step of the forecast.
  *
  * <p>A camera sends, for each target and step, what it would lose elsewhere by detecting it. From
- * these messages every camera computes what its own detection is worth if all others do what is
+ * these messages, every camera computes the worth of its own detection if all others choose what is
  * best for all. Because this worth depends only on the number of cameras that detect a target, the
  * best others are those that lose least (Tarlow, Givoni and Zemel, 2010). The graph has cycles, so
  * there is no guarantee; messages are damped.

@@ -10,16 +10,16 @@ import org.hificamsim.core.registry.Options;
  * @param search weight of targets that no camera sees, compared with known ones
  * @param rounds number of times that cameras choose in turn at most, 1 or more
  * @param lead worth of a target that is covered by one camera fewer than it needs
- * @param further worth of one more camera on a target, as a part of that of the one before, where
+ * @param further worth of each further camera on a target, as a part of the previous camera's, if
  *     the least k counts
- * @param hold what each move on a way must add, as a share of the known targets for each camera;
- *     nothing if moves take no time
+ * @param hold gain that each move on a way must add, as a share of the known targets per camera; 0
+ *     for cameras whose moves take no time
  * @param decay weight of a track, compared with the step before, while no camera sees its target
  * @param memory number of steps after which a target that no camera sees is forgotten
  * @param cells approximate number of cells of the search map
  * @param relax part of the way that a cell's expected targets go to its learned occupancy in a step
  * @param prior number of looks that the mean occupancy counts as
- * @param learn what cameras learn where their model is wrong
+ * @param learn the values that cameras learn if their model is wrong
  * @param identified whether reports identify targets
  */
 record Parameters(

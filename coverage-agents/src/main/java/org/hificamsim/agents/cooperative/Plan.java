@@ -22,10 +22,10 @@ final class Plan {
   private final PlannedCoverage coverage;
   private final ViewForecast[] viewForecasts;
 
-  /** By camera, its way as in {@link Ways}. */
+  /** The way of each camera, as in {@link Ways}. */
   private final int[][] plannedWays;
 
-  /** By camera, whether a way is planned. */
+  /** Whether a way is planned, by camera. */
   private final boolean[] planned;
 
   private final WaySearch waySearch;
@@ -250,8 +250,8 @@ final class Plan {
   }
 
   /**
-   * Returns the view with the greatest gain; of views with equal gains the present one, or else the
-   * first of those that are reached soonest.
+   * Returns the view with the greatest gain; among views with equal gains the present one, or else
+   * the first of those that are reached soonest.
    */
   int best(NetworkView network, int camera, double[] viewGains) {
     ViewForecast viewForecast = viewForecasts[camera];

@@ -7,14 +7,14 @@ import java.util.Arrays;
  * plans: the chances of at least 1, 2, ... cameras (a Poisson binomial distribution).
  */
 final class PlannedCoverage {
-  /** A greater chance counts as 1, because removing it again would lose precision. */
+  /** The chance above which one counts as 1, because removing it again would lose precision. */
   private static final double CERTAIN = 0.98;
 
   private final Worth worth;
   private final int maxCounted;
   private int[] certainCameras = {};
 
-  /** By slot, the chances of at least 1, 2, ... cameras, apart from the certain ones. */
+  /** The chances of at least 1, 2, ... cameras, apart from the certain ones, by slot. */
   private double[] atLeast = {};
 
   PlannedCoverage(Worth worth) {

@@ -30,7 +30,7 @@ final class SearchMap {
   private final double[] sightings;
   private final double[] occupancy;
 
-  /** By cell, the chance that no look in this step finds a target that is there. */
+  /** The chance that no look in this step finds a target in the cell, by cell. */
   private final double[] missChances;
 
   /** The mean number of targets in a free cell. */
@@ -39,7 +39,7 @@ final class SearchMap {
   private int steps;
 
   /**
-   * @param free by cell, whether a target can be in it
+   * @param free for each cell, whether a target can be in it
    * @param expected number of targets at the beginning
    */
   SearchMap(Parameters parameters, Grid grid, boolean[] free, double expected) {
@@ -65,7 +65,7 @@ final class SearchMap {
     Arrays.fill(missChances, 1);
   }
 
-  /** By cell, the number of targets expected in it that no camera sees. */
+  /** Returns the expected number of targets in each cell that no camera sees. */
   double[] unseenTargets() {
     return unseenTargets;
   }
@@ -73,7 +73,7 @@ final class SearchMap {
   /**
    * The part of a cell's targets that stays unseen when a camera looks at the cell.
    *
-   * @param chance that the camera detects a target there
+   * @param chance the chance that the camera detects a target there
    */
   static double leftAfterLook(double chance) {
     return 1 - FOUND_SHARE * chance;

@@ -12,7 +12,10 @@ import org.hificamsim.core.registry.Options;
  * <p>In each step, call {@link #update} before the decision and {@link #learnChoices} after it.
  */
 public final class SharedBelief {
-  /** Stays as it is when the policy's defaults change: trained networks depend on it. */
+  /**
+   * The parameters, which stay as they are when the policy's defaults change, since trained
+   * networks depend on them.
+   */
   private static final String PARAMETERS = "search=0.4,further=0.2,hold=0";
 
   private final BeliefExchange exchange;
@@ -62,7 +65,7 @@ public final class SharedBelief {
     return exchange.team().messages();
   }
 
-  /** The length of all these messages, bits. */
+  /** The length of all these messages, in bits. */
   public long bits() {
     return exchange.team().bits();
   }

@@ -64,7 +64,7 @@ final class SightingReport {
   /**
    * Returns a copy with other numbers of targets.
    *
-   * @param numbers by sighting; further entries are ignored
+   * @param numbers the numbers by sighting; further entries are ignored
    */
   SightingReport copy(int[] numbers) {
     SightingReport copy = new SightingReport(identifies);
@@ -80,7 +80,7 @@ final class SightingReport {
     return copy;
   }
 
-  /** The length of the report, bits: the view, or none, and each target's position and size. */
+  /** The length of the report, in bits: the view, or none, and each target's position and size. */
   int bits(NetworkView network) {
     int bitsPerTarget = (identifies ? MessageBits.of(network.targets()) : 0) + 3 * MessageBits.REAL;
     return MessageBits.address(network.cameras())
@@ -135,7 +135,7 @@ final class SightingReport {
     return trueTargets[i];
   }
 
-  /** The position of the i-th target, metres. */
+  /** The position of the i-th target, in metres. */
   double x(int i) {
     return xs[i];
   }
@@ -144,7 +144,7 @@ final class SightingReport {
     return ys[i];
   }
 
-  /** The size of the i-th target, metres; NaN if it is unknown. */
+  /** The size of the i-th target, in metres; NaN if it is unknown. */
   double size(int i) {
     return sizes[i];
   }

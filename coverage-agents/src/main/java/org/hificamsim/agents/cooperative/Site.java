@@ -12,7 +12,7 @@ import org.hificamsim.core.visibility.Body;
  * Sight is exact for the obstacles on the map, which may differ from the real ones.
  */
 final class Site {
-  /** Cells are searched for targets of about a person's size, metres. */
+  /** The size of the targets that cells are searched for, about that of a person, in metres. */
   private static final double SEARCHED_SIZE = 1;
 
   private final Obstacles map;
@@ -80,12 +80,12 @@ final class Site {
     return grid;
   }
 
-  /** By cell, whether a target can be in it. */
+  /** Returns whether a target can be in each cell. */
   boolean[] free() {
     return free;
   }
 
-  /** How long a camera's moves between its views take. */
+  /** Returns how many steps a camera's moves between its views take. */
   TravelTimes travelTimes(int camera) {
     return travelTimes[camera];
   }

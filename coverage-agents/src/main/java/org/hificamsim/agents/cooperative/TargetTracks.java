@@ -8,10 +8,10 @@ import org.hificamsim.core.obstacle.Obstacles;
  * moves. While no camera sees a target, it is assumed to go on as before, up to the next obstacle.
  */
 final class TargetTracks {
-  /** A target is forgotten when the probability that it is there falls below this. */
+  /** The probability of being there below which a target is forgotten. */
   private static final double MIN_WEIGHT = 0.05;
 
-  /** The size of a target whose size is unknown, metres. */
+  /** The size of a target whose size is unknown, in metres. */
   private static final double DEFAULT_SIZE = 1;
 
   private static final class Track {
@@ -152,7 +152,7 @@ final class TargetTracks {
    * Takes in that a camera looked at where a target should be, and did not see it: by Bayes' rule
    * the target is less likely to be there.
    *
-   * @param chance that the camera would have detected it
+   * @param chance the chance that the camera would have detected it
    * @return by how much the weight of the target falls
    */
   double miss(int number, double chance) {
@@ -224,7 +224,7 @@ final class TargetTracks {
     return tracks[number].y - stepsAgo * tracks[number].stepY;
   }
 
-  /** The size of the target, metres. */
+  /** The size of the target, in metres. */
   double size(int number) {
     return tracks[number].size;
   }
@@ -244,7 +244,7 @@ final class TargetTracks {
     return tracks[number].seenAt;
   }
 
-  /** The mean distance that targets move in a step, metres; 0 before any was seen twice. */
+  /** The mean distance that targets move in a step, in metres; 0 before any was seen twice. */
   double meanStepLength() {
     return measuredSteps == 0 ? 0 : measuredDistance / measuredSteps;
   }

@@ -28,10 +28,10 @@ final class Team {
   /** The number of messages that each camera sent in this step. */
   private final int[] messagesInStep;
 
-  /** By sender and receiver, whether the last bid arrived in time. */
+  /** Whether the last bid arrived in time, by sender and receiver. */
   private final boolean[] bidHasArrived;
 
-  /** By sender and receiver, whether any report or choice arrived in this step. */
+  /** Whether any report or choice arrived in this step, by sender and receiver. */
   private final boolean[] messageArrived;
 
   private final Stations stations;
@@ -240,7 +240,7 @@ final class Team {
     return messages;
   }
 
-  /** The length of all these messages, bits. */
+  /** The length of all these messages, in bits. */
   long bits() {
     return bits;
   }

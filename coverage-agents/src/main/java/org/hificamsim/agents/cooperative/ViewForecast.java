@@ -9,7 +9,7 @@ final class ViewForecast {
 
   private int views;
 
-  /** By view: the number of steps until the camera sees through it. */
+  /** The number of steps until the camera sees through a view, by view. */
   private int[] delays = {};
 
   /** Scratch memory, by view. */
@@ -17,10 +17,10 @@ final class ViewForecast {
 
   private int rows;
 
-  /** By row: the slot of its target in the forecast. */
+  /** The slot of each row's target in the forecast. */
   private int[] slots = {};
 
-  /** By row and view: the chance that the camera detects the target. */
+  /** The chance that the camera detects the target, by row and view. */
   private double[] chances = {};
 
   /** Computes the chances for all slots of a forecast, from the camera's present view on. */
@@ -126,7 +126,7 @@ final class ViewForecast {
    * Adds what each view gains in each step beyond the planned coverage, which must not include the
    * camera.
    *
-   * @param rewards by step and view
+   * @param rewards the rewards by step and view
    */
   void addRewards(Forecast forecast, PlannedCoverage coverage, double[] rewards) {
     for (int row = 0; row < rows; row++) {

@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * What each view of a camera promises, as the camera believes before it decides. Numbers of targets
- * are means over the steps of the horizon, where later steps weigh less and the steps of the move
- * count as none.
+ * The expected result of each view of a camera, according to its belief before it decides. Numbers
+ * of targets are means over the steps of the horizon, where later steps weigh less and the steps of
+ * the move count as none.
  */
 public final class ViewOutlook {
   private int views;
@@ -81,7 +81,7 @@ public final class ViewOutlook {
     return targets[view];
   }
 
-  /** As {@link #targets}, of those that other cameras are expected to detect as well. */
+  /** Returns the part of {@link #targets} that other cameras are expected to detect as well. */
   public double covered(int view) {
     return covered[view];
   }

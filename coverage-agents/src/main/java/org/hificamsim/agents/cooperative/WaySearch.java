@@ -15,13 +15,13 @@ final class WaySearch {
   private int views;
   private TravelTimes times;
 
-  /** By step and view: the reward of seeing through the view in the step. */
+  /** The reward of seeing through a view in a step, by step and view. */
   private double[] rewards = {};
 
-  /** By step and view: the worth of the best way that sees through the view in the step. */
+  /** The worth of the best way that sees through the view in the step, by step and view. */
   private double[] values = {};
 
-  /** By step and view: the view that this way chooses next. */
+  /** The view that the best way chooses next, by step and view. */
   private int[] nextViews = {};
 
   /** The views, the best of a step first. */

@@ -5,21 +5,22 @@ import org.hificamsim.core.metrics.Objective;
 
 /**
  * The worth of a target that k cameras detect. It stands in for the objective by a sum over
- * targets, which cameras can divide among themselves. What a further camera adds is the objective's
- * {@link Objective#share share}. If a target needs several cameras to count, those before the last
- * one add a part in advance. If the least k counts, each further camera is worth a part of the one
- * before, so that targets which few cameras detect come first.
+ * targets, which cameras can divide among themselves. A further camera adds the objective's {@link
+ * Objective#share share}. If a target needs several cameras to count, those before the last one add
+ * a part in advance. If the least k counts, each further camera is worth a part of the one before,
+ * so that targets which few cameras detect come first.
  */
 final class Worth {
-  /** No more cameras than these count, unless a target needs more. */
+  /** The greatest number of cameras that count, unless a target needs more. */
   private static final int MAX_COUNTED = 4;
 
   /** The worth of one more camera, by the number of cameras that detect the target without it. */
   private final double[] added;
 
   /**
-   * @param lead worth of a target with one camera fewer than it needs, if it needs several
-   * @param further worth of a camera as a part of that of the one before, if the least k counts
+   * @param lead the worth of a target that lacks one camera, if it needs several
+   * @param further the worth of a camera as a share of the previous camera's worth, if the least k
+   *     counts
    */
   Worth(Objective objective, double lead, double further) {
     added = objective.isLeast() ? decreasing(further) : shares(objective, lead);
@@ -50,7 +51,7 @@ final class Worth {
     return added;
   }
 
-  /** The number of cameras from which on a further one adds nothing. */
+  /** The least number of cameras after which a further one adds nothing. */
   int saturation() {
     return added.length;
   }

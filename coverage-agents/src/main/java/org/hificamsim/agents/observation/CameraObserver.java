@@ -19,18 +19,18 @@ public final class CameraObserver {
   private final int size;
   private final ViewRows rows;
 
-  /** By number of cameras, the share of all cameras. */
+  /** The number of cameras as a share of all, by number. */
   private final float[] cameraShares;
 
-  /** By number of targets, the share of all targets. */
+  /** The number of targets as a share of all, by number. */
   private final float[] targetShares;
 
   private final SeenPairs pairs = new SeenPairs();
 
-  /** By camera, the number of decisions since it began to move. */
+  /** The number of decisions since each camera began to move. */
   private final int[] movingDecisions;
 
-  /** Null in a layout without belief. */
+  /** The computation of the numbers of beliefs; null in a layout without belief. */
   private final BeliefFeatures belief;
 
   private ViewFeatures views;

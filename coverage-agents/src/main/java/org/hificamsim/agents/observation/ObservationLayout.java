@@ -102,7 +102,7 @@ public record ObservationLayout(int targets, int neighbours, boolean heights, in
     return firstView() + views * viewSize();
   }
 
-  /** How many numbers describe the camera itself; they come first. */
+  /** Returns the number of numbers that describe the camera itself; they come first. */
   public int ownSize() {
     return OWN.size() + (heights ? OWN_HEIGHTS.size() : 0);
   }
@@ -117,7 +117,7 @@ public record ObservationLayout(int targets, int neighbours, boolean heights, in
     return firstTarget() + targets * TARGET.size();
   }
 
-  /** How many numbers describe a view. */
+  /** Returns the number of numbers that describe a view. */
   public static int viewSize() {
     return BeliefFeatures.VIEW.size();
   }

@@ -25,10 +25,12 @@ final class ViewFeatures {
   private final double[] perReach;
   private final double[] perAngle;
 
-  /** By link to a neighbour, the index of its last number in the observations of all cameras. */
+  /**
+   * The index of the link's last number in the observations of all cameras, by link to a neighbour.
+   */
   private final int[] copyTo;
 
-  /** By link to a neighbour, the index of the neighbour's own numbers. */
+  /** The index of the neighbour's own numbers, by link to a neighbour. */
   private final int[] copyFrom;
 
   ViewFeatures(NetworkView network, ViewRows source) {

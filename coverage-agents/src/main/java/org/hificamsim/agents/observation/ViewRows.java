@@ -16,7 +16,7 @@ final class ViewRows {
   private static final int GOAL_PAN = ObservationLayout.at("goal_pan");
   private static final int PAN = ObservationLayout.at("pan");
 
-  /** The height that counts as 1, metres. */
+  /** The height that counts as 1, in metres. */
   private static final double HEIGHT_SCALE = 10;
 
   /**
@@ -121,7 +121,10 @@ final class ViewRows {
     }
   }
 
-  /** By link to a neighbour, the index of its last number in the observations of all cameras. */
+  /**
+   * Returns for each link to a neighbour the index of its last number in the observations of all
+   * cameras.
+   */
   int[] lastNumbersOfLinks(NetworkView network) {
     int length = ObservationLayout.NEIGHBOUR.size();
     return cameras(network)
@@ -132,7 +135,7 @@ final class ViewRows {
         .toArray();
   }
 
-  /** By link to a neighbour, the index of the neighbour's own numbers. */
+  /** Returns for each link to a neighbour the index of the neighbour's own numbers. */
   int[] neighboursOfLinks(NetworkView network) {
     return cameras(network)
         .flatMap(

@@ -1,5 +1,5 @@
 /**
- * What a camera knows before it decides, as numbers for a learner: their layout, their bounds, and
- * how they are computed.
+ * The knowledge of a camera before it decides, as numbers for learners: their layout, bounds and
+ * computation.
  */
 package org.hificamsim.agents.observation;

@@ -9,12 +9,12 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The constant configuration with the best score, by default the performance (Eq 7.2), over the run
- * that follows: the best fixed view of each camera in hindsight.
+ * Keeps the constant configuration with the best score, by default the performance (Eq 7.2), over
+ * the run that follows: the best fixed view of each camera in hindsight.
  *
- * <p>It is exact if each camera has a view that detects all that its other views detect, as under
- * any model that falls with distance on round fields of view, and if the search ends within {@code
- * nodes}. Otherwise it is the best configuration found.
+ * <p>The configuration is exact if each camera has a view that detects all that its other views
+ * detect, as under any model that falls with distance on round fields of view, and if the search
+ * ends within {@code nodes}. Otherwise it is the best configuration found.
  */
 public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
   private static final int DEFAULT_NODES = 10_000;
@@ -40,7 +40,7 @@ public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
     return "best-fixed";
   }
 
-  /** Cameras need no time for a move, so that the score is a bound on what is possible. */
+  /** Lets cameras move at once, so that the score is a bound on what is possible. */
   @Override
   public boolean jumps() {
     return true;

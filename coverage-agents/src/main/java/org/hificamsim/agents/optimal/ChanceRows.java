@@ -37,7 +37,7 @@ final class ChanceRows implements ConfigurationSets {
   private final double[] chanceByTarget;
   private final int[] presentTargets;
 
-  /** By online camera: its first row; the last entry is the number of rows. */
+  /** The first row of each online camera; the last entry is the number of rows. */
   private final int[] firstRow;
 
   private int targets;

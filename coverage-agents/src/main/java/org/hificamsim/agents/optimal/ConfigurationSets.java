@@ -7,8 +7,8 @@ import org.hificamsim.core.policy.OracleView;
  */
 interface ConfigurationSets {
   /**
-   * Fills the problem with the network as it is now. Its cameras are the online ones, in their
-   * order, and numbered anew.
+   * Fills the problem with the network as it is now. Its cameras are the online ones, numbered
+   * again in their order.
    *
    * @return whether any target is present; if not, the problem is unchanged
    */

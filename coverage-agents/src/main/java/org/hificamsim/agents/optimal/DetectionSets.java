@@ -18,16 +18,16 @@ final class DetectionSets implements ConfigurationSets {
   private final int[] candidateCounts;
   private final CoverageProblem problem;
 
-  /** By target that is present, its number in the problem. */
+  /** The number of each present target in the problem. */
   private final int[] problemNumber;
 
   private final int[] viewOf;
   private final int networkWords;
 
-  /** By view, the mask of the network's targets that it detects. */
+  /** The mask of the network's targets that each view detects. */
   private final long[] viewMasks;
 
-  /** By candidate, the mask of the problem's targets that it detects. */
+  /** The mask of the problem's targets that each candidate detects. */
   private final long[] candidateMasks;
 
   private final int[] candidateSizes;

@@ -21,7 +21,7 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
   private static final double FIRST_RATE = 2;
   private static final double MIN_WEIGHT = 1e-12;
 
-  /** Limits how far the weight of a target falls in a round. */
+  /** The limit of how far the weight of a target falls in a round. */
   private static final double MAX_DIFFERENCE = 20;
 
   private static final int MAX_PASSES = 20;
@@ -34,10 +34,10 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
   private final int[] chosen;
   private final int[] best;
 
-  /** By camera, the row to try next. */
+  /** The row of each camera that is tried next. */
   private final int[] nextRows;
 
-  /** By camera, the total of the greatest weighted row sums of it and of all later cameras. */
+  /** The sum of the greatest weighted row sums of the camera and all later ones, by camera. */
   private final double[] restBounds;
 
   private final BranchAndBound search = new BranchAndBound();

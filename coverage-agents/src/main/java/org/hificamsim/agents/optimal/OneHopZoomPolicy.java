@@ -6,9 +6,9 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The configuration with the best score, by default k_min (Eq 7.1), of those that the cameras reach
- * within the step ({@link OracleView#reaches}; thesis 7.4.1: "reachable from the current zoom
- * level"), found exactly in each step.
+ * Chooses in each step the configuration with the best score, by default k_min (Eq 7.1), among
+ * those that the cameras reach within the step ({@link OracleView#reaches}; thesis 7.4.1:
+ * "reachable from the current zoom level"), by an exact search.
  *
  * <p>If several configurations are best, the choice decides what can be reached next. The policy
  * takes the one in which camera 0 has the view that the option {@code ties} prefers, by default the
@@ -65,7 +65,10 @@ public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
     super.decide(network, views);
   }
 
-  /** A camera that reaches no view within the step goes on to its chosen view. */
+  /**
+   * Finds the views that a camera reaches within the step; if there are none, it continues to its
+   * chosen view.
+   */
   private void findCandidates(OracleView network, int camera) {
     sets.clear(camera);
     int last = network.views(camera) - 1;

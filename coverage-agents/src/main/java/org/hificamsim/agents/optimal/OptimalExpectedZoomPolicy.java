@@ -6,10 +6,10 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The configuration with the greatest least expected coverage, found exactly in each step by {@link
- * ExpectedSolver}. If detections depend on chance, this is the best that is possible without
- * knowing the luck that will be drawn ({@code docs/detection.md}). If they depend on a threshold,
- * it is the best k_min, as {@link OptimalZoomPolicy} finds it.
+ * Chooses in each step the configuration with the greatest least expected coverage, by the exact
+ * search of {@link ExpectedSolver}. If detections depend on chance, this is the best that is
+ * possible without knowing the luck that will be drawn ({@code docs/detection.md}). If they depend
+ * on a threshold, it is the best k_min, as {@link OptimalZoomPolicy} finds it.
  */
 public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy {
   private static final int DEFAULT_EXPECTED_NODES = 100_000;
@@ -26,7 +26,7 @@ public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy {
     return "optimal-expected";
   }
 
-  /** Cameras need no time for a move, so that the score is a bound on what is possible. */
+  /** Lets cameras move at once, so that the score is a bound on what is possible. */
   @Override
   public boolean jumps() {
     return true;

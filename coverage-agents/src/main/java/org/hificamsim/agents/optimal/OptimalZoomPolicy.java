@@ -11,14 +11,14 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The configuration with the best score, k_min (Eq 7.1) unless the network has another objective,
- * found exactly in each step. This is the upper bound that thesis 7.4.1 calls greedy, and computes
- * by trying all Z^C configurations.
+ * Chooses in each step the configuration with the best score, by default k_min (Eq 7.1), by an
+ * exact search. This is the upper bound that thesis 7.4.1 calls greedy, and computes by trying all
+ * Z^C configurations.
  *
  * <p>A camera with a view that is proven to detect all that its other views detect stays at that
  * view, at the narrowest if there are several; if all cameras have one, nothing needs to be
- * searched. Otherwise dominated views are left out. Of the configurations with the best score, the
- * policy takes the one in which camera 0 detects most targets, then in its narrowest view, then
+ * searched. Otherwise dominated views are left out. Among the configurations with the best score,
+ * the policy takes the one in which camera 0 detects most targets, then in its narrowest view, then
  * camera 1, and so on.
  *
  * <p>The policy {@code bound} does not search: it takes a good configuration, and its gap bounds
@@ -64,7 +64,7 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
     return name;
   }
 
-  /** Cameras need no time for a move, so that the score is a bound on what is possible. */
+  /** Lets cameras move at once, so that the score is a bound on what is possible. */
   @Override
   public boolean jumps() {
     return true;

@@ -91,7 +91,10 @@ public final class ReachableZoomPolicy implements HindsightZoomPolicy, BoundedZo
     return times;
   }
 
-  /** A battery that is empty sooner or later than in the rehearsal would make the bound wrong. */
+  /**
+   * Checks that a camera is on as in the rehearsal: a battery that is empty sooner or later would
+   * make the bound wrong.
+   */
   private void checkOnline(OracleView network, int camera) {
     if (online.get(camera).get(step) != network.online(camera)) {
       throw InputException.of(
@@ -106,7 +109,7 @@ public final class ReachableZoomPolicy implements HindsightZoomPolicy, BoundedZo
     return takesTime ? solver.bound() - solver.score() : optimal.gap();
   }
 
-  /** The score of the plan, which the run reaches; NaN where it is the optimum of each step. */
+  /** The score of the plan, which the run reaches; NaN if it is the optimum of each step. */
   public double planScore() {
     return takesTime ? solver.score() : Double.NaN;
   }

@@ -17,10 +17,10 @@ import org.hificamsim.core.policy.OracleView;
  * step have consecutive numbers. Each view of a camera has the set of moments that it detects.
  */
 final class RunDetections {
-  /** By camera and view, the moments that are detected. */
+  /** The moments that are detected, by camera and view. */
   private final List<BitSet[]> detectedMoments = new ArrayList<>();
 
-  /** By camera, the steps in which it is online. */
+  /** The steps in which each camera is online. */
   private final List<BitSet> online = new ArrayList<>();
 
   /** The moment of each target in the step that is added. */
@@ -29,7 +29,7 @@ final class RunDetections {
   private boolean[] coverable = {};
   private long[] masks = {};
 
-  /** By step, the end of its moments, exclusive. */
+  /** The end of each step's moments, exclusive. */
   private int[] ends = new int[16];
 
   private int steps;
@@ -105,12 +105,12 @@ final class RunDetections {
     return new WayProblem(objective, ends(), times, online, detectedMoments);
   }
 
-  /** By camera, the steps in which it is online; not to be changed. */
+  /** Returns the steps in which each camera is online; callers must not change them. */
   List<BitSet> online() {
     return online;
   }
 
-  /** By step, the end of its moments, exclusive. */
+  /** Returns the end of each step's moments, exclusive. */
   int[] ends() {
     return Arrays.copyOf(ends, steps);
   }

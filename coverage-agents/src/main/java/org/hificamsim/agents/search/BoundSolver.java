@@ -12,7 +12,7 @@ public final class BoundSolver extends Solver {
   private static final int LOCAL_PASSES = 4;
   private static final int PRICE_ROUNDS = 200;
 
-  /** Gaps that are not whole numbers are rounded up to multiples of 1 / GAP_FRACTIONS. */
+  /** The number of parts of 1 to which gaps that are not whole numbers are rounded up. */
   private static final double GAP_FRACTIONS = 0x1p20;
 
   private final Objective objective;

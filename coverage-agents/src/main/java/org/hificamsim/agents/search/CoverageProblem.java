@@ -87,7 +87,7 @@ public final class CoverageProblem {
     return firstSet[camera];
   }
 
-  /** One more than the number of the camera's least preferred set. */
+  /** Returns the end of the camera's range of sets, exclusive. */
   public int endSet(int camera) {
     return firstSet[camera + 1];
   }
@@ -97,7 +97,7 @@ public final class CoverageProblem {
     return cameraOf[set];
   }
 
-  /** One word of a set's bit mask. */
+  /** Returns one word of a set's bit mask. */
   public long mask(int set, int word) {
     return masks[set * words + word];
   }

@@ -103,8 +103,8 @@ final class LocalSearch {
   }
 
   /**
-   * What a set adds to the sum of weighted worths, and 1 for each target that it brings nearer to
-   * saturation.
+   * Returns what a set adds to the sum of weighted worths, plus 1 for each target that it brings
+   * nearer to saturation.
    */
   private long help(int set, TargetWorth worth) {
     long help = 0;

@@ -15,10 +15,10 @@ final class Prices {
   private final long[] bestTargetPrices;
   private final long[] maxTargetPrices;
 
-  /** By set, the sum of its targets' prices; to be computed again when these have changed. */
+  /** The sum of target prices of each set; has to be computed again when target prices change. */
   private final long[] setPrices;
 
-  /** By camera, the greatest price of its remaining sets, as of the last {@link #bound}. */
+  /** The greatest price of each camera's remaining sets, as of the last {@link #bound}. */
   private final long[] cameraPrices;
 
   private final int[] offers;
@@ -126,7 +126,7 @@ final class Prices {
     tuned = true;
   }
 
-  /** The sum plus 1, because the sum may be 0. */
+  /** The sum of prices plus 1, because the sum may be 0. */
   private double sumOfPrices() {
     double sum = 1;
     for (int target = 0; target < problem.targets(); target++) {
@@ -151,7 +151,10 @@ final class Prices {
     }
   }
 
-  /** Also prices sets that are removed: they may come back before prices are tuned again. */
+  /**
+   * Prices all sets, including removed ones, because they may come back before prices are tuned
+   * again.
+   */
   private void priceAllSets() {
     for (int set = 0; set < problem.sets(); set++) {
       setPrices[set] = sumOfPrices(set);

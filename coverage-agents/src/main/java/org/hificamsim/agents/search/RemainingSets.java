@@ -147,7 +147,7 @@ final class RemainingSets {
    * Removes the sets of open cameras whose value is below the greatest of their camera by more than
    * {@code surplus}.
    *
-   * @param values by set
+   * @param values the values by set
    * @param greatest value of a remaining set, by camera
    * @return whether every camera still has a set
    */
@@ -243,7 +243,7 @@ final class RemainingSets {
     return maxCoverage;
   }
 
-  /** The number of cameras that cover the target whatever they choose. */
+  /** The number of cameras that cover the target with any of their sets. */
   int minCoverage(int target) {
     return minCoverage[target];
   }

@@ -30,7 +30,7 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
   /** The bound of the score with a set and the decisions before it, by set. */
   private final double[] bounds;
 
-  /** By camera, the index into {@link #setsToTry}; {@link #UNSORTED} before these are sorted. */
+  /** The index of each camera in {@link #setsToTry}; {@link #UNSORTED} before these are sorted. */
   private final int[] triedIndex;
 
   /** The number of cameras that cover each target if undecided cameras use all their sets. */
@@ -41,7 +41,7 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
 
   /**
    * @param problem the problem, whose targets are those of all steps that count, step after step
-   * @param ends by step, the end of its targets, exclusive
+   * @param ends for each step, the end of its targets, exclusive
    * @param maxNodes the number of partial configurations after which the proof is given up
    */
   public RunSolver(Objective objective, CoverageProblem problem, int[] ends, long maxNodes) {

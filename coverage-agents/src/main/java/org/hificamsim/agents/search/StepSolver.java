@@ -7,9 +7,10 @@ import org.hificamsim.core.metrics.Objective;
  * after the other, {@link LocalSearch} makes a good configuration, the stage bounds the value of
  * all others, and {@link BranchAndBound} closes the gap; the three take turns with growing effort.
  *
- * <p>Of all best configurations the result is the one that gives camera 0 its most preferred set,
- * then camera 1, and so on, however the search went. One exception: a preferred set is passed over
- * if a search of {@value #MAX_TIE_NODES} nodes does not find a best configuration with it.
+ * <p>Among the best configurations, the result is the one that gives camera 0 its most preferred
+ * set, then camera 1, and so on; it does not depend on the order of the search. One exception: a
+ * preferred set is passed over if a search of {@value #MAX_TIE_NODES} nodes does not find a best
+ * configuration with it.
  *
  * <p>If each camera has a set that includes all its others, nothing needs to be searched.
  */

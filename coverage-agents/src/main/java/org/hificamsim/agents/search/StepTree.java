@@ -14,7 +14,7 @@ final class StepTree implements BranchAndBound.Tree {
   private final Stage[] stages;
 
   /**
-   * By depth, the {@link RemainingSets#mark} before its decision; the first one is that of the
+   * The {@link RemainingSets#mark} before the decision at each depth; the first is that of the
    * whole search.
    */
   private final int[] marks;
@@ -135,7 +135,10 @@ final class StepTree implements BranchAndBound.Tree {
     return met;
   }
 
-  /** When any choice of the remaining sets will do, keeps the one with the greatest gain. */
+  /**
+   * Keeps the choice of remaining sets with the greatest gain, if any choice reaches what is
+   * required.
+   */
   private void keep() {
     result.clear();
     for (int camera = 0; camera < problem.cameras(); camera++) {
@@ -173,7 +176,7 @@ final class StepTree implements BranchAndBound.Tree {
   /**
    * Returns the open camera with the fewest sets, of equal ones the one that gains most.
    *
-   * @param target that the camera may cover; any camera if it is {@link #NONE}
+   * @param target the target that the camera may cover; any camera if it is {@link #NONE}
    */
   private int cameraToDecide(int target) {
     int chosen = NONE;

@@ -3,7 +3,7 @@ package org.hificamsim.agents.search;
 import java.util.Arrays;
 
 /**
- * The range that a sum of worths is in whatever the cameras choose among their remaining sets: from
+ * The range of a sum of worths over all choices of the cameras among their remaining sets: from
  * every target covered by its minimum to every target covered by its maximum.
  *
  * <p>The range is that of the last {@link #update}.

@@ -1,11 +1,14 @@
 package org.hificamsim.agents.search;
 
 /**
- * What a target adds to a sum, by the number k of cameras that cover it: a table that never falls,
- * and is flat from {@link #saturation} on.
+ * The worth that a target adds to a sum, by the number k of cameras that cover it: a table that
+ * never falls and is constant from {@link #saturation} on.
  */
 final class TargetWorth {
-  /** Divisible by all numbers up to 16, so that slopes over up to 16 cameras are whole numbers. */
+  /**
+   * A unit that is divisible by all numbers up to 16, so that slopes over up to 16 cameras are
+   * whole numbers.
+   */
   private static final long DIVISIBLE_UNIT = 720_720;
 
   private static final double MAX_SUM = 0x1p62;
@@ -16,7 +19,8 @@ final class TargetWorth {
   private int saturation;
 
   /**
-   * @param worths by k, as {@link org.hificamsim.core.metrics.Objective#worths} gives them
+   * @param worths the worth of each k, as {@link org.hificamsim.core.metrics.Objective#worths}
+   *     gives them
    * @param maxTerms the number of such worths that are added up at most
    */
   TargetWorth(long[] worths, double maxTerms) {
@@ -47,7 +51,7 @@ final class TargetWorth {
     return unit;
   }
 
-  /** The number of cameras from which on a further one is worth nothing. */
+  /** The least number of cameras after which a further one is worth nothing. */
   int saturation() {
     return saturation;
   }

@@ -14,7 +14,7 @@ import org.hificamsim.core.policy.NetworkView;
  * percepts never occur, a table grows with the percepts that its camera meets; states beyond it
  * have the initial value.
  *
- * <p>Two things are for speed alone. The best actions have tables of their own, which stay in the
+ * <p>Two details serve only speed. The best actions have tables of their own, which stay in the
  * processor's cache when the values no longer fit: neighbours read nothing else (without these
  * tables a step of QB-SARSA takes 1.7 times as long, with 14 cameras and with 10,000). A bound on
  * the values of the other actions shows that most updates do not change the best one (without it
@@ -37,12 +37,12 @@ public final class ActionValues {
   private final int[] viewCounts;
 
   /**
-   * By camera, a row for each state: the values of its actions, and then an upper bound on those of
-   * all actions except the best one.
+   * The rows of states by camera: the values of the actions, then an upper bound on those of all
+   * actions except the best one.
    */
   private final double[][] values;
 
-  /** By camera and state: the action of the greatest value. */
+  /** The action with the greatest value, by camera and state. */
   private final int[][] bestActions;
 
   /**

@@ -7,8 +7,8 @@ import org.hificamsim.core.policy.SeenPairs;
 /**
  * The parts of its picture in which a camera sees targets: the left, centre or right third of its
  * opening angle; and, if depth counts, near or far, that is within half the {@linkplain
- * NetworkView#reach reach} of its view or beyond. As a number: bit 0 for left, 1 for centre, 2 for
- * right, and the next three bits for the same parts far away.
+ * NetworkView#reach reach} of its view or beyond. A percept is a number: bit 0 stands for left, 1
+ * for centre, 2 for right, and the next three bits for the same parts far away.
  */
 final class PicturePercept {
   static final int THIRDS = 3;
@@ -16,7 +16,7 @@ final class PicturePercept {
   private final boolean depth;
   private final SeenPairs pairs = new SeenPairs();
 
-  /** By camera, the bits of the parts with targets. */
+  /** The bits of the parts with targets, by camera. */
   private final int[] percepts;
 
   PicturePercept(int cameras, boolean depth) {

@@ -39,7 +39,7 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   private NetworkView network;
   private ActionValues q;
 
-  /** Null if a percept is the number of targets detected. */
+  /** The percepts from pictures; null if a percept is the number of detected targets. */
   private PicturePercept picture;
 
   private int[] lastState;
@@ -48,10 +48,10 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   private Utility utility;
   private double[] utilities;
 
-  /** By camera, the discounted rewards of its last action before it arrived. */
+  /** The discounted rewards of each camera's last action before it arrived. */
   private double[] earlierRewards;
 
-  /** By camera, the discount of the next reward of its last action. */
+  /** The discount of the next reward of each camera's last action. */
   private double[] nextDiscount;
 
   /**
@@ -83,12 +83,12 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
     choice = new EpsilonGreedyChoice(options);
   }
 
-  /** SARSA, the on-policy variant (thesis 7.4.4, Eq 7.6). */
+  /** Creates SARSA, the on-policy variant (thesis 7.4.4, Eq 7.6). */
   public static TemporalDifferenceZoomPolicy sarsa(Options options) {
     return new TemporalDifferenceZoomPolicy("sarsa", true, options);
   }
 
-  /** Q-learning, the off-policy variant with which thesis 7.4.4 compares SARSA. */
+  /** Creates Q-learning, the off-policy variant with which thesis 7.4.4 compares SARSA. */
   public static TemporalDifferenceZoomPolicy qLearning(Options options) {
     return new TemporalDifferenceZoomPolicy("q-learning", false, options);
   }
@@ -213,8 +213,8 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   }
 
   /**
-   * Reports the values of all actions in the camera's present state. How often each was learned is
-   * not counted.
+   * Reports the values of all actions in the camera's present state. The number of updates of each
+   * is not counted.
    */
   @Override
   public final String estimates(int camera, double[] estimates, double[] counts) {

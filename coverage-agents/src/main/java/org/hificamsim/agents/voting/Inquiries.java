@@ -12,7 +12,7 @@ import org.hificamsim.core.policy.NetworkView;
  * answers a query at once from its present table, even while it moves.
  */
 final class Inquiries {
-  /** Stands for the missing vote of a neighbour that has not answered. */
+  /** The vote of a neighbour that has not answered. */
   static final int NO_VOTE = -1;
 
   /**
@@ -33,13 +33,13 @@ final class Inquiries {
   private final ViewTranslation translation;
   private final Post<Letter> post;
 
-  /** By camera and neighbour, the last answer. */
+  /** The last answer, by camera and neighbour. */
   private final Answer[][] lastAnswers;
 
   private long messages;
   private long bits;
 
-  /** The lengths of a query and of an answer, bits. */
+  /** The lengths of a query and of an answer, in bits. */
   record Lengths(int query, int answer) {}
 
   /**
@@ -65,7 +65,7 @@ final class Inquiries {
     return messages;
   }
 
-  /** The length of all messages sent so far, bits. */
+  /** The length of all messages sent so far, in bits. */
   long bits() {
     return bits;
   }
@@ -73,7 +73,7 @@ final class Inquiries {
   /**
    * Sends the queries of all cameras that decide in this step, and receives queries and answers.
    *
-   * @param percepts by camera
+   * @param percepts the percepts by camera
    */
   void exchange(ActionValues q, IntUnaryOperator percepts) {
     for (int camera = 0; camera < lastAnswers.length; camera++) {

@@ -7,12 +7,14 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.space.PointGrid;
 
 /**
- * The k nearest online cameras of each online camera, by Euclidean distance (thesis 7.4.5). Of
- * equally near cameras, those with lower numbers are nearer. A small network has fewer than k
- * neighbours.
+ * The k nearest online cameras of each online camera, by Euclidean distance (thesis 7.4.5). Equally
+ * near cameras are sorted by their numbers. A small network has fewer than k neighbours.
  */
 public final class NearestCameras {
-  /** Slightly below 1, so that rounding does not hide a nearer camera just outside a square. */
+  /**
+   * A factor slightly below 1, so that rounding does not hide a nearer camera just outside a
+   * square.
+   */
   private static final double ROUNDING = 1 - 1e-9;
 
   /** The approximate number of cameras in a cell of the grid. */

@@ -39,7 +39,7 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
   private long directMessages;
   private int[] electedViews = {};
 
-  /** Null over a perfect channel. */
+  /** The queries on an imperfect channel; null over a perfect one. */
   private Inquiries inquiries;
 
   private Inquiries.Lengths lengths = new Inquiries.Lengths(0, 0);

@@ -13,8 +13,8 @@ import org.hificamsim.core.policy.NetworkView;
  * Translates a view of one camera to the nearest view of another one: the nearest pan angle
  * relative to the heading, and the nearest zoom level. Levels of two lenses are compared by the
  * ratio of their angles of view; levels without a lens, by their relative position between the
- * narrowest and the widest. Of equally near ones, the first pan angle and the widest level are
- * taken. Between cameras with equal views, views stay the same.
+ * narrowest and the widest. If several are equally near, the first pan angle and the widest level
+ * are taken. Between cameras with equal views, views stay the same.
  *
  * <p>The translation is for the views that cameras have at the beginning. Cameras of one kind share
  * a table.
@@ -50,7 +50,7 @@ final class ViewTranslation {
       return zooms == 1 ? 1 : zoom / (zooms - 1.0);
     }
 
-    /** By view, the nearest view of another kind. */
+    /** Returns for each view the nearest view of another kind. */
     int[] translation(Kind target) {
       int zooms = levels.size();
       return IntStream.range(0, pans.size() * zooms)
@@ -95,7 +95,7 @@ final class ViewTranslation {
   private final int[] kinds;
   private final boolean oneKind;
 
-  /** By kind, other kind, and view: the nearest view of the other kind. */
+  /** The nearest view of the other kind, by kind, other kind and view. */
   private final int[][][] tables;
 
   /**

@@ -6,10 +6,10 @@ import java.util.Arrays;
 final class CameraWays {
   private final WayProblem problem;
 
-  /** By camera and step: the view that the camera is sent to. */
+  /** The view that a camera is sent to, by camera and step. */
   private final int[][] goals;
 
-  /** By camera and step: the set that it detects. */
+  /** The set that a camera detects, by camera and step. */
   private final int[][] seen;
 
   CameraWays(WayProblem problem) {

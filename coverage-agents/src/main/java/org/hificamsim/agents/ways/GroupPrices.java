@@ -14,10 +14,10 @@ abstract class GroupPrices {
   final WayProblem problem;
   final PricedCameras priced;
 
-  /** By moment: its price, kept from call to call. */
+  /** The price of each moment, which is kept between calls. */
   final double[] targetPrices;
 
-  /** By moment: the prices with the lowest bound in this call. */
+  /** The prices of moments with the lowest bound in this call. */
   private final double[] bestTargetPrices;
 
   final int[] coverage;
@@ -28,7 +28,7 @@ abstract class GroupPrices {
   final double[] cameraProfit;
   final int[] moments;
 
-  /** By moment: how many more cameras the target demands than are offered. */
+  /** The number of cameras that a target demands beyond those that are offered, by moment. */
   final double[] shortage;
 
   final boolean[] seen;
@@ -132,7 +132,9 @@ abstract class GroupPrices {
     }
   }
 
-  /** Every camera offers its most profitable set; returns the bound by the present prices. */
+  /**
+   * Lets every camera offer its most profitable set, and returns the bound by the present prices.
+   */
   final double offer() {
     clearCoverage();
     double bound = 0;

@@ -13,20 +13,20 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
   private static final int MAX_K = 3;
   private static final int UNKNOWN = -1;
 
-  /** By moment: the number of cameras that are still to decide and may detect it. */
+  /** The number of cameras that are still to decide and may detect the target, by moment. */
   private final int[] undecidedCameras;
 
   private final boolean[] decided;
   private final int[] deciding;
 
-  /** By depth, the sets to try. */
+  /** The sets to try, by depth. */
   private final int[][] children;
 
   private final int[] childCounts;
   private final int[] nextChild;
   private final double[] gain;
 
-  /** By the number of cameras that detect a target already, and by moment: its price. */
+  /** The price by the number of cameras that already detect a target, and by moment. */
   private final double[][] nodePrices;
 
   private final BranchAndBound search = new BranchAndBound();

@@ -4,18 +4,18 @@ import java.util.Arrays;
 
 /**
  * Finds a camera's way with the greatest sum of rewards for the sets that it detects: dynamic
- * programming over the steps in which it is online and the views in which it has arrived. Of equal
- * ways it takes one that stays where it is.
+ * programming over the steps in which it is online and the views in which it has arrived. Among
+ * equal ways, it prefers one that stays in its view.
  */
 final class MostRewardingWay {
   private static final int START = -1;
 
   private final WayProblem problem;
 
-  /** By own step and view: the greatest sum of a way that is in the view. */
+  /** The greatest sum of a way that is in the view, by own step and view. */
   private double[] sums = {};
 
-  /** By own step and view: the view before. */
+  /** The view before, by own step and view. */
   private int[] before = {};
 
   private int camera;
@@ -29,7 +29,7 @@ final class MostRewardingWay {
   /**
    * Writes the camera's best way.
    *
-   * @param rewards by set, 0 or more
+   * @param rewards the reward of each set, 0 or more
    * @return the sum of its rewards
    */
   double search(int newCamera, double[] rewards, CameraWays ways) {

@@ -11,18 +11,18 @@ final class PricedCameras {
 
   private final WayProblem problem;
 
-  /** By camera, its sets that may be worth their prices. */
+  /** The sets of each camera that may be worth their prices. */
   private final int[][] sets;
 
   private final int[] setCounts;
 
-  /** By moment of the step, a camera that may detect it, or -1. */
+  /** A camera that may detect the target, or -1, by moment of the step. */
   private final int[] cameraOf;
 
-  /** By camera, another one of its group, or itself. */
+  /** Another camera of the same group, or the camera itself, by camera. */
   private final int[] leader;
 
-  /** By moment of the run, how many cameras of the step may detect it. */
+  /** The number of cameras of the step that may detect the target, by moment of the run. */
   private final int[] maxCoverage;
 
   private final int[] lastCamera;

@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * Finds the best sets of all cameras in a step if each set has a price: the score of the step less
- * the prices. Where the score is the least k of the targets, each least k from 1 on is a sum of its
- * own: a camera that is missing costs more than that k is worth.
+ * the prices. If the score is the least k of the targets, each least k from 1 on is a sum of its
+ * own, in which a missing camera costs more than that k is worth.
  */
 final class PricedStep {
   private final WayProblem problem;
@@ -37,7 +37,7 @@ final class PricedStep {
     Arrays.setAll(trees, level -> new GroupTree(problem, priced));
   }
 
-  /** By step, the least number of cameras that may detect any of its targets. */
+  /** Returns for each step the least number of cameras that may detect any of its targets. */
   private int[] greatestLeast() {
     int[] coverable = problem.coverable();
     int[] greatest = new int[problem.steps()];
@@ -74,7 +74,10 @@ final class PricedStep {
     return new StepWorth(Arrays.stream(scoreWorth.values()).map(value -> value * scale).toArray());
   }
 
-  /** Worths at which a camera that is missing for a least k costs as much as this k is worth. */
+  /**
+   * Returns worths by which a camera that is missing for a least k costs as much as this k is
+   * worth.
+   */
   private static StepWorth covering(int least) {
     double[] values = new double[least + 1];
     Arrays.setAll(values, k -> (double) least * k);

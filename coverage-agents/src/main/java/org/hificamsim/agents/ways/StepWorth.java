@@ -1,8 +1,8 @@
 package org.hificamsim.agents.ways;
 
 /**
- * What a target adds to the sum of a step, by the number of cameras that detect it: a table that
- * never falls.
+ * The worth that a target adds to the sum of a step, by the number of cameras that detect it: a
+ * table that never falls.
  */
 record StepWorth(double[] values) {
   double value(int k) {
@@ -22,7 +22,7 @@ record StepWorth(double[] values) {
     return greatest;
   }
 
-  /** The greatest gain for each camera, of {@code k} cameras and up to {@code more}. */
+  /** The greatest gain per camera if one to {@code more} cameras join {@code k} others. */
   double slope(int k, int more) {
     double slope = 0;
     for (int add = 1; add <= more && k + add < values.length; add++) {

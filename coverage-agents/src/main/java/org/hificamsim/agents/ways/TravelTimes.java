@@ -4,11 +4,11 @@ import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * How long a camera is on its way between any two of its views.
+ * The times that a camera needs to move between any two of its views.
  *
  * @param home the view in which it starts
  * @param views number of views
- * @param blindSteps by {@code from * views + to}: the steps in which it sees nothing
+ * @param blindSteps the steps in which the camera sees nothing, by {@code from * views + to}
  */
 public record TravelTimes(int home, int views, int[] blindSteps) {
   /** Returns the times of a camera, which starts in the view that it has now. */

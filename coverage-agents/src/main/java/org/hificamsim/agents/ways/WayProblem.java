@@ -26,20 +26,20 @@ public final class WayProblem {
   private final List<TravelTimes> times;
   private final List<int[]> onlineSteps = new ArrayList<>();
 
-  /** By camera, then by step and view: the set that is detected. */
+  /** The set that is detected, by camera and then by step and view. */
   private final int[][] setOf;
 
-  /** By step and camera, the number of its first set. */
+  /** The number of a camera's first set, by step and camera. */
   private final int[] firstSet;
 
-  /** By set, its moments. */
+  /** The moments of each set. */
   private final List<int[]> moments = new ArrayList<>(List.of(EMPTY));
 
   /**
-   * @param ends by step, the end of its moments, exclusive
-   * @param times by camera
-   * @param online by camera, the steps in which it is online
-   * @param detected by camera and view, the moments that it detects
+   * @param ends for each step, the end of its moments, exclusive
+   * @param times the times by camera
+   * @param online for each camera, the steps in which it is online
+   * @param detected for each camera and view, the moments that it detects
    */
   public WayProblem(
       Objective objective,
@@ -95,7 +95,7 @@ public final class WayProblem {
     return step == 0 ? 0 : ends[step - 1];
   }
 
-  /** One more than the number of the last moment of a step. */
+  /** Returns the end of a step's range of moments, exclusive. */
   int end(int step) {
     return ends[step];
   }
@@ -109,7 +109,7 @@ public final class WayProblem {
     return times.get(camera);
   }
 
-  /** The steps in which a camera is online; it moves in these alone. */
+  /** The steps in which a camera is online; it moves only in these. */
   int[] onlineSteps(int camera) {
     return onlineSteps.get(camera);
   }
@@ -129,7 +129,7 @@ public final class WayProblem {
     return firstSet[step * times.size() + camera];
   }
 
-  /** One more than the number of the last set of a camera in a step. */
+  /** Returns the end of a camera's range of sets in a step, exclusive. */
   int endSet(int step, int camera) {
     return firstSet[step * times.size() + camera + 1];
   }
@@ -157,7 +157,7 @@ public final class WayProblem {
     return most;
   }
 
-  /** By moment, how many cameras could detect it. */
+  /** Returns for each moment the number of cameras that could detect it. */
   int[] coverable() {
     int[] cameras = new int[momentCount()];
     int[] last = new int[momentCount()];

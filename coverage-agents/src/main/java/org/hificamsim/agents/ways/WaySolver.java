@@ -138,7 +138,7 @@ public final class WaySolver {
     return Arrays.copyOf(bestPrices, bestPrices.length);
   }
 
-  /** By step, the view that the plan sends a camera to. */
+  /** Returns for each step the view that the plan sends a camera to. */
   public int[] goals(int camera) {
     return planner.best().goals(camera);
   }

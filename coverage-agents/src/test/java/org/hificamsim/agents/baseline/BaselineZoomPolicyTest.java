@@ -73,7 +73,7 @@ class BaselineZoomPolicyTest {
   }
 
   @Test
-  void rejectsWrongNumberOfFixedLevels() {
+  void rejectsInvalidNumberOfFixedLevels() {
     ZoomPolicy policy = new FixedZoomPolicy(Options.parse("fixed", "0,0"));
     InputException error = assertThrows(InputException.class, () -> network.begin(policy, 1));
     assertTrue(error.getMessage().contains("has 2 values, expected 1 for all cameras or 3"));

@@ -209,7 +209,7 @@ class TurningBaselinesTest {
     assertSeeing("greedy", SLOW, "-1 -1 -1 9 9", at(75, 10));
   }
 
-  /** Returns a target at an angle to the right of the camera's heading, degrees. */
+  /** Returns a target at an angle to the right of the camera's heading, in degrees. */
   private static String at(double angleDegrees, double distance) {
     double angle = Math.toRadians(angleDegrees);
     return "<object features='"

@@ -17,7 +17,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class UtilityTest {
-  /** Three cameras; the first one detects three targets, which 1, 2 and 3 cameras detect. */
+  /**
+   * Returns a network of three cameras; the first one detects three targets, which 1, 2 and 3
+   * cameras detect.
+   */
   private static ToyNetwork network(String objective) {
     ToyNetwork network = new ToyNetwork(4, 1, 1, 1).scoredBy(Objective.parse(objective));
     network.see(0, 0, 0, 1, 2).see(1, 0, 1, 2).see(2, 0, 2);
@@ -65,7 +68,7 @@ class UtilityTest {
   }
 
   @Test
-  void learnerIsRewardedByDifferenceUnlessToldToCount() {
+  void learnerIsRewardedByDifferenceUnlessOptionIsCount() {
     ToyNetwork network = network("covered:k=1");
     TemporalDifferenceZoomPolicy counting =
         begin(network, "reward=literal,utility=count,state=none");

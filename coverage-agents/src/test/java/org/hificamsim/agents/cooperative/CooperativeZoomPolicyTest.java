@@ -64,7 +64,7 @@ class CooperativeZoomPolicyTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"greedy", "cbba", "log-linear", "max-sum", "none"})
-  void individualMindsChooseTheSameOverAPerfectChannel(String rule) {
+  void separateMindsChooseAsASharedOneOverAPerfectChannel(String rule) {
     List<Integer> sharedMind = views(policy("agree=" + rule, false), SITE);
     assertEquals(sharedMind, views(policy("agree=" + rule, true), SITE));
     assertTrue(sharedMind.stream().distinct().count() > 3, "hardly ever moved: " + sharedMind);

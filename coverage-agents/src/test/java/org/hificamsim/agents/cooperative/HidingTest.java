@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import org.hificamsim.agents.toy.ToyNetwork;
 import org.junit.jupiter.api.Test;
 
-/** A camera at the origin looks at targets along a line. */
+/** Tests how targets hide each other from a camera at the origin. */
 class HidingTest {
   private final ToyNetwork network = new ToyNetwork(0, 1);
   private final Hiding hiding = new Hiding();

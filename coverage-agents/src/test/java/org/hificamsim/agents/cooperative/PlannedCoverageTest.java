@@ -40,7 +40,7 @@ class PlannedCoverageTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"kmin", "lexicographic"})
-  void furtherCameraIsWorthLessWhereTheLeastKCounts(String objective) {
+  void eachFurtherCameraIsWorthHalfIfTheLeastKCounts(String objective) {
     PlannedCoverage coverage = coverage(objective);
     for (double expected : new double[] {1, 0.5, 0.25, 0.125, 0}) {
       assertEquals(expected, coverage.added(0), 1e-12);

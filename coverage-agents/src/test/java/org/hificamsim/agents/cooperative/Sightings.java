@@ -7,7 +7,7 @@ import org.hificamsim.core.policy.SeenPairs;
 final class Sightings {
   private Sightings() {}
 
-  /** The report of a camera that sees a target at a position, metres, in a step. */
+  /** The report of a camera that sees a target at a position, in metres, in a step. */
   static SightingReport at(long step, int target, double x, double y) {
     ToyNetwork network = new ToyNetwork(target + 1, 1);
     while (network.step() < step) {

@@ -18,7 +18,10 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.junit.jupiter.api.Test;
 
-/** Tests with three cameras that see while they move, and many targets, some equally near. */
+/**
+ * Tests observations of three cameras that see while they move, among many targets, some equally
+ * near.
+ */
 class CrowdObservationTest {
   private static final ObservationLayout LAYOUT = new ObservationLayout(3, 2, false);
   private static final String OPTICS =
@@ -33,7 +36,7 @@ class CrowdObservationTest {
     return OPTICS + camera("a", -8, 0) + camera("b", 8, 6) + camera("c", lastCameraX, 0);
   }
 
-  /** Targets in pairs on both sides of the first camera's axis. */
+  /** Returns targets in pairs on both sides of the first camera's axis. */
   private static String targets() {
     StringBuilder elements = new StringBuilder();
     for (int name = 0; name < 24; name++) {

@@ -11,8 +11,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * The search visits the same nodes as before, because these decide the result when a limit ends it.
- * If you change a heuristic on purpose, these numbers show the effect. They are sums over fixed
+ * Tests that the search visits the same nodes as before, which decide the result if a limit ends
+ * it. If you change a heuristic on purpose, these numbers show the effect. They are sums over fixed
  * random problems, given by the number of cameras, the number of targets, and the percentage of
  * targets that a set holds.
  */

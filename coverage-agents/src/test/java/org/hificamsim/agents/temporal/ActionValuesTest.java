@@ -21,7 +21,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.junit.jupiter.api.Test;
 
 class ActionValuesTest {
-  /** With this many cameras, views and targets, tables do not have all states at first. */
+  /** The number of cameras with which tables do not have all states at first. */
   private static final int CAMERAS = 200;
 
   private static final int VIEWS = 5;

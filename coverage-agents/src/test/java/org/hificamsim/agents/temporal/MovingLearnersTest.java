@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 class MovingLearnersTest {
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
-  /** Two views; a move takes three steps, and the narrow view detects two targets. */
+  /** A camera with two views, whose move takes three steps; the narrow view detects two targets. */
   private final ToyNetwork network = new ToyNetwork(3, 2).see(0, 0, 0, 1).see(0, 1, 2).slow(2);
 
   @Test

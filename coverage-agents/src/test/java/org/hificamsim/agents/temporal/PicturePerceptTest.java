@@ -104,7 +104,7 @@ class PicturePerceptTest {
     return run;
   }
 
-  /** Returns a target at an angle to the right of the camera's heading, degrees. */
+  /** Returns a target at an angle to the right of the camera's heading, in degrees. */
   private static String at(double angleDegrees, double distance) {
     double angle = Math.toRadians(angleDegrees);
     return "<object features='"

@@ -18,7 +18,10 @@ class TemporalDifferenceZoomPolicyTest {
 
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
-  /** Two views; the narrow one detects two targets, the wide one, which comes first, none. */
+  /**
+   * A camera with two views: the wide one, which comes first, detects nothing, and the narrow one
+   * two targets.
+   */
   private final ToyNetwork network = new ToyNetwork(2, 2).see(0, 0, 0, 1);
 
   @Test

@@ -38,7 +38,7 @@ public final class GeometricNetwork extends ToyNetwork {
   private final SplittableRandom random;
   private final PlacedCamera[] placedCameras;
 
-  /** By camera, view and size of the target: the distances at which the camera detects it. */
+  /** The distances at which a camera detects a target, by camera, view and size of the target. */
   private final Ring[][][] rings;
 
   private final Position[] positions;

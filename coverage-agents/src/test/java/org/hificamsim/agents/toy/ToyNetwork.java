@@ -13,9 +13,9 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.visibility.Body;
 
 /**
- * A small network for tests whose detections the test sets, or a subclass computes; it applies
- * policies as the engine does and counts their use of global knowledge, which does not include what
- * a camera sees itself.
+ * A small network for tests, whose detections are set by the test or computed by a subclass. It
+ * applies policies as the engine does and counts how often they use global knowledge, that is, more
+ * than a camera sees itself.
  */
 public class ToyNetwork implements OracleView {
   private static final Body FLAT = Body.flat(1);
@@ -171,7 +171,9 @@ public class ToyNetwork implements OracleView {
         && detects[camera][view[camera]][target];
   }
 
-  /** Eq 7.1 at the last observation; the number of cameras when no target is present. */
+  /**
+   * Returns k_min at the last observation (Eq 7.1); the number of cameras if no target is present.
+   */
   public final int kMin() {
     int least = cameras();
     for (int target = 0; target < targets; target++) {

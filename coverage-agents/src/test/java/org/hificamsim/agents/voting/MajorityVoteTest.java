@@ -11,7 +11,7 @@ class MajorityVoteTest {
   }
 
   @Test
-  void ownViewWinsADrawWithIt() {
+  void ownViewWinsADrawThatIncludesIt() {
     assertEquals(1, winner(MajorityVote.DrawRule.OWN, 1, 1, 3));
   }
 

@@ -21,7 +21,8 @@ final class RandomWays {
   final WayProblem problem;
 
   /**
-   * Cameras on a line of views need some steps from one to the next; one may be off for a while.
+   * Makes a random problem, in which cameras need some steps from one view on a line to the next,
+   * and one may be off for a while.
    */
   RandomWays(long seed, Objective objective) {
     random = new SplittableRandom(seed);
@@ -89,7 +90,7 @@ final class RandomWays {
     return seen(camera, goals);
   }
 
-  /** What a camera detects, step by step, if it is sent to these views. */
+  /** Returns the set that a camera detects in each step if it is sent to these views. */
   int[] seen(int camera, int[] goals) {
     TravelTimes travel = times.get(camera);
     int[] seen = new int[STEPS];

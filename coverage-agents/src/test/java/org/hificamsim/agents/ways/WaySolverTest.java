@@ -42,7 +42,7 @@ class WaySolverTest {
   }
 
   @RepeatedTest(10)
-  void pricesProveTheBoundAgain(RepetitionInfo repetition) {
+  void boundCanBeComputedAgainFromPrices(RepetitionInfo repetition) {
     RandomWays ways = ways(repetition.getCurrentRepetition());
     WaySolver solver = new WaySolver(ways.problem);
     solver.solve(50);
