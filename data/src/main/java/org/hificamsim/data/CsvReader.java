@@ -29,7 +29,7 @@ public final class CsvReader implements Closeable {
   private static final CsvFactory FACTORY =
       CsvFactory.builder().enable(CsvParser.Feature.WRAP_AS_ARRAY).build();
 
-  /** The first line has to end within this many bytes for its separator to be found. */
+  /** The number of bytes within which the first line has to end for its separator to be found. */
   private static final int MAX_FIRST_LINE_BYTES = 1 << 16;
 
   /** The size limit of a table that is kept in memory. */

@@ -12,7 +12,7 @@ import org.hificamsim.core.InputException;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Faults of JSON in the words of its users. */
+/** Tests that faults of JSON are described in words that users understand. */
 class JsonFaultTest {
   private record Part(String name, List<Double> numbers, Map<String, Part> parts) {
     Part {
