@@ -5,7 +5,7 @@ import org.hificamsim.core.detection.ZoomLevel;
 
 /**
  * A detection model of one's own: contrast fades with distance in fog, after Koschmieder (1924), so
- * that at the meteorological visibility 2% of it is left, whatever the zoom.
+ * that at the meteorological visibility 2% of it is left, at any zoom level.
  */
 public final class FogDetection implements DetectionModel {
   private static final double VISIBILITY = 4; // metres

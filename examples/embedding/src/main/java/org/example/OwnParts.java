@@ -22,7 +22,7 @@ import org.hificamsim.core.world.World;
 final class OwnParts {
   private OwnParts() {}
 
-  /** A detection model that is certain up to four metres, whatever the zoom. */
+  /** A detection model that is certain up to four metres at any zoom level. */
   record FourMetres() implements DetectionModel {
     @Override
     public String name() {
