@@ -6,9 +6,9 @@ import java.util.Arrays;
 /**
  * The range of the data that a model was fitted on; outside it the model is untested.
  *
- * @param size q, metres
- * @param distance d, metres
- * @param focalLength z, metres
+ * @param size q, in metres
+ * @param distance d, in metres
+ * @param focalLength z, in metres
  * @param objects the number of different objects
  * @param betweenObjects the standard deviation, over the objects, of an object's mean residual
  *     about g; 0 if unknown
@@ -23,9 +23,9 @@ public record FittedOn(
     double betweenObjects,
     double withinObjects) {
   /**
-   * The range from the smallest to the largest value in the data, metres.
+   * The range from the smallest to the largest value in the data, in metres.
    *
-   * @param most {@code least} or more
+   * @param most the largest value, at least {@code least}
    */
   public record Span(double least, double most) {
     private static final double ROUNDING = 1e-9;

@@ -37,7 +37,7 @@ public record BoxDetection(
     return "P(found) = " + curve.equation();
   }
 
-  /** Returns the height of a target in the picture, pixels; infinite at distance 0. */
+  /** Returns the height of a target in the picture, in pixels; infinite at distance 0. */
   public double pixels(double height, double distance, ZoomLevel zoom) {
     return height * optics.pixelsPerMetre(zoom, distance);
   }

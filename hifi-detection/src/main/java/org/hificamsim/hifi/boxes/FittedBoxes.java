@@ -5,7 +5,7 @@ import org.hificamsim.hifi.FittedOn.Span;
 /**
  * The labelled boxes that a model was fitted on.
  *
- * @param height heights of the boxes, pixels
+ * @param height heights of the boxes, in pixels
  * @param hidden hidden shares of the boxes
  * @param recordings the number of recordings
  * @param people the number of different people

@@ -26,7 +26,7 @@ public record FoundCurve(
     double floor,
     double ceiling,
     WidthEffect width) {
-  /** The height at which the intercept holds, pixels. */
+  /** The height at which the intercept holds, in pixels. */
   public static final double USUAL_PIXELS = 100;
 
   /** Creates a curve that ignores the width. */

@@ -11,7 +11,7 @@ import org.hificamsim.core.Texts;
  *     scenario have this shape, since they have no pose
  */
 public record WidthEffect(double slope, double usualShape) {
-  /** The width does not matter. */
+  /** The effect of a width that does not matter. */
   public static final WidthEffect NONE = new WidthEffect(0, 1);
 
   /** Whether the width matters. */

@@ -149,8 +149,8 @@ public final class DensityDetections {
 
   /**
    * Detects a target if the picture has the pixels per metre that a standard demands at the
-   * target's distance, whatever its size. The confidence is the share of the demanded density, at
-   * most 1; the threshold is 1.
+   * target's distance, regardless of its size. The confidence is the share of the demanded density,
+   * at most 1; the threshold is 1.
    *
    * @param demandedDensity pixels per metre, above 0
    */

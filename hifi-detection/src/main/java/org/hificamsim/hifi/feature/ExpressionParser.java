@@ -7,7 +7,7 @@ import org.hificamsim.hifi.feature.Expression.Term;
 
 /** Parses {@link Expression}s by recursive descent, with limits on length and depth. */
 final class ExpressionParser {
-  /** Matches a number, also a malformed one, so that errors show all of it. */
+  /** The pattern of a number, also of a malformed one, so that errors show all of it. */
   private static final Pattern NUMBER = Pattern.compile("[0-9]*(\\.[0-9]*)?([eE][-+]?[0-9]*)?");
 
   private static final int MAX_LENGTH = 4_000;

@@ -12,9 +12,9 @@ public interface FeatureAbstraction {
   /**
    * Returns the predicted PIP, in [0, 1]; NaN if the formula has no value.
    *
-   * @param size target size q, metres, above 0
-   * @param distance camera-target distance d, metres, 0 or more
-   * @param focalLength focal length z, metres, 0 or more
+   * @param size target size q, in metres, above 0
+   * @param distance camera-target distance d, in metres, 0 or more
+   * @param focalLength focal length z, in metres, 0 or more
    */
   double pip(double size, double distance, double focalLength);
 }

@@ -11,9 +11,9 @@ public interface LogPipAbstraction extends FeatureAbstraction {
    * Returns the predicted {@code -log10(PIP)}, unbounded. A value below 0 means a patch larger than
    * the image.
    *
-   * @param size target size q, metres, above 0
-   * @param distance camera-target distance d, metres, 0 or more
-   * @param focalLength focal length z, metres, 0 or more
+   * @param size target size q, in metres, above 0
+   * @param distance camera-target distance d, in metres, 0 or more
+   * @param focalLength focal length z, in metres, 0 or more
    */
   double negativeLogPip(double size, double distance, double focalLength);
 

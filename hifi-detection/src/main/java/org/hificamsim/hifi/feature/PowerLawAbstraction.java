@@ -11,7 +11,7 @@ package org.hificamsim.hifi.feature;
  */
 public record PowerLawAbstraction(double c, double a, double b, double e)
     implements FeatureAbstraction {
-  /** The predicted PIP; a target on the camera fills the image (1), whatever the focal length. */
+  /** The predicted PIP; a target on the camera fills the image (1) at any focal length. */
   @Override
   public double pip(double size, double distance, double focalLength) {
     if (distance == 0) {

@@ -20,8 +20,8 @@ public final class SvrRbfAbstraction implements LogPipAbstraction {
   /**
    * The range of a variable in the training data, by which it is scaled to [0, 1].
    *
-   * @param least the value that is scaled to 0, metres
-   * @param most the value that is scaled to 1, metres; above {@code least}
+   * @param least the value that is scaled to 0, in metres
+   * @param most the value that is scaled to 1, in metres; above {@code least}
    */
   public record Range(double least, double most) {
     /** Returns the scaled value, which is outside [0, 1] beyond the training data. */

@@ -66,7 +66,10 @@ final class BoxModelFormat {
         json.has("width") ? json.object("width", width -> width(width, height)) : WidthEffect.NONE);
   }
 
-  /** The slope is limited: a steeper one would make taller people less likely to be found. */
+  /**
+   * Reads the effect of the width. A steeper slope than allowed would make taller people less
+   * likely to be found.
+   */
   private static WidthEffect width(JsonObject json, double height) {
     return new WidthEffect(
         json.number("slope", 0, height), json.number("usualShape", MIN_SHAPE, MAX_SHAPE));

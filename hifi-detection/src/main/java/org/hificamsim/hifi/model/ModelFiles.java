@@ -18,7 +18,7 @@ import org.hificamsim.hifi.json.JsonFile;
  * Reads and writes users' detection models as JSON files, such as {@code profile fit} writes.
  *
  * <p>{@code optics}, {@code threshold}, {@code units} and {@code provenance} may be left out. The
- * defaults are the lab's camera, the threshold that the catalogue derives from the line, metres,
+ * defaults are the lab's camera, the threshold that the catalogue derives from the line, in metres,
  * and an unknown provenance.
  */
 public final class ModelFiles {
@@ -26,8 +26,8 @@ public final class ModelFiles {
   public static final int MAX_BYTES = 16 << 20;
 
   /**
-   * Kept out of {@link ModelFormat}, so that published models are read without it, in half the
-   * time.
+   * The mapper of models' files. It is not in {@link ModelFormat}, since published models are read
+   * in half the time without it.
    */
   static final ObjectMapper MAPPER = new ObjectMapper();
 
@@ -47,8 +47,8 @@ public final class ModelFiles {
   }
 
   /**
-   * Writes a model such that {@link #read} returns an equal one. An older file is replaced only
-   * when the new one is complete.
+   * Writes a model, which {@link #read} returns equal. An older file is replaced only when the new
+   * one is complete.
    *
    * @throws IllegalArgumentException when a number or the name of the model is not allowed in files
    * @throws InputException when the file cannot be written

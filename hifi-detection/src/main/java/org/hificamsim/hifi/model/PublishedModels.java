@@ -67,7 +67,8 @@ public record PublishedModels(
 
   /**
    * Returns the default threshold of a model with this g: its confidence at the PIP at which the
-   * reference line reaches the reference threshold. So models differ only by their f and g.
+   * reference line reaches the reference threshold. With these thresholds, models differ only by
+   * their f and g.
    */
   public double threshold(DetectorModel g) {
     DetectorLine line = line(reference.detector(), reference.f()).orElseThrow().g();

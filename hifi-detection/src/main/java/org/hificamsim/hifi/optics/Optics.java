@@ -6,9 +6,9 @@ import org.hificamsim.core.detection.ZoomLevel;
  * A camera's sensor and lens, which determine the radius of the field of view from the focal length
  * z (Eqs 3.1 and 3.2, where the thesis writes res for the sensor's width).
  *
- * @param sensorWidth width of the image sensor, metres, above 0
+ * @param sensorWidth width of the image sensor, in metres, above 0
  * @param longestFocalLength focal length at the narrowest zoom of a camera whose mount height is
- *     not known, metres, above 0
+ *     not known, in metres, above 0
  */
 public record Optics(double sensorWidth, double longestFocalLength) {
   /** The width of a picture if the scenario does not give one: full high definition. */
@@ -46,7 +46,7 @@ public record Optics(double sensorWidth, double longestFocalLength) {
   /**
    * Returns the horizontal pixels per metre, W / (2 d tan(theta / 2)); infinite at distance 0.
    *
-   * @param distance metres
+   * @param distance the distance in metres
    */
   public double pixelsPerMetre(ZoomLevel zoom, double distance) {
     int pixels = zoom.pixels() > 0 ? zoom.pixels() : DEFAULT_PIXELS;
@@ -61,8 +61,8 @@ public record Optics(double sensorWidth, double longestFocalLength) {
    * unknown (NaN), it is inversely proportional to the radius, and the narrowest level has the
    * longest focal length.
    *
-   * <p>A radius of 0 would need an infinite focal length; the longest one is used instead. Nothing
-   * depends on it, because such a level sees only the spot under the camera.
+   * <p>A radius of 0 would need an infinite focal length; the longest one is used instead. No
+   * result depends on it, because such a level sees only the spot under the camera.
    */
   public double focalLength(ZoomLevel zoom) {
     if (zoom.hasLens()) {

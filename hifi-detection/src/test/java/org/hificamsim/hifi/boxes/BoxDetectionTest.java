@@ -91,7 +91,7 @@ class BoxDetectionTest {
     assertTrue(shipped.curve().found(60, 0) > shipped.curve().found(60, 0.5));
   }
 
-  private static void assertRefused(String expected, String found) {
+  private static void assertRejected(String expected, String found) {
     String json =
         "{\"schema\": \"hificamsim-model\", \"version\": 4, \"name\": \"m\", \"found\": "
             + found
@@ -115,15 +115,15 @@ class BoxDetectionTest {
 
   @Test
   void errorsNameInvalidNumbersInFiles() {
-    assertRefused("height", "{\"intercept\": 1, \"height\": -2, \"hidden\": 1}");
-    assertRefused("hidden", "{\"intercept\": 1, \"height\": 2}");
-    assertRefused(
+    assertRejected("height", "{\"intercept\": 1, \"height\": -2, \"hidden\": 1}");
+    assertRejected("hidden", "{\"intercept\": 1, \"height\": 2}");
+    assertRejected(
         "ceiling above the floor",
         "{\"intercept\": 1, \"height\": 2, \"hidden\": 1, \"floor\": 0.5, \"ceiling\": 0.2}");
-    assertRefused("floor", "{\"intercept\": 1, \"height\": 2, \"hidden\": 1, \"floor\": 1}");
-    assertRefused("unknown", "{\"intercept\": 1, \"height\": 2, \"hidden\": 1, \"slope\": 1}");
+    assertRejected("floor", "{\"intercept\": 1, \"height\": 2, \"hidden\": 1, \"floor\": 1}");
+    assertRejected("unknown", "{\"intercept\": 1, \"height\": 2, \"hidden\": 1, \"slope\": 1}");
     String start = "{\"intercept\": 1, \"height\": 2, \"hidden\": 1, \"width\": ";
-    assertRefused("slope", start + "{\"slope\": 2.5, \"usualShape\": 0.3}}");
-    assertRefused("usualShape", start + "{\"slope\": 1, \"usualShape\": 0}}");
+    assertRejected("slope", start + "{\"slope\": 2.5, \"usualShape\": 0.3}}");
+    assertRejected("usualShape", start + "{\"slope\": 1, \"usualShape\": 0}}");
   }
 }

@@ -10,7 +10,10 @@ import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.feature.PowerLawAbstraction;
 import org.junit.jupiter.api.Test;
 
-/** Derives the catalogue's power law again from Eq 4.4, by least squares on the grid of the lab. */
+/**
+ * Tests that the catalogue's power law follows from Eq 4.4, by least squares on the grid of the
+ * lab.
+ */
 class PowerLawDerivationTest {
   private static final double[] FOCAL_LENGTHS = {0.010, 0.015, 0.024, 0.050, 0.070, 0.085};
   private static final double[] SIZES = {0.10, 0.12, 0.16, 0.22, 0.30, 0.40, 0.52, 0.66};
