@@ -12,7 +12,7 @@ import org.hificamsim.worlds.ActionKind;
 /**
  * The observations and actions that a network was trained with. They are in the metadata of the
  * file as {@code targets}, {@code neighbours}, {@code belief} and {@code actions}; missing entries
- * have the defaults of the environments. The width of the input tells whether observations contain
+ * have the defaults of the environments. The width of the input says whether observations contain
  * heights. An input of cameras x views x numbers is the belief alone, on any site.
  *
  * @param belief whether observations end with what each view promises

@@ -61,7 +61,7 @@ class OnnxPolicyTest {
     assertTrue(steps.moves > 0, "no camera moved");
   }
 
-  /** The belief of each view is valued by the same numbers, whatever the site. */
+  /** The belief of each view is valued by the same numbers on any site. */
   @ParameterizedTest
   @ValueSource(strings = {"corridor", "junction", "campus-heights"})
   void valuesViewsBySharedBeliefOnAnySite(String site) {

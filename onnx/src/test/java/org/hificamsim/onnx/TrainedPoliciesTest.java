@@ -14,7 +14,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Plays the network that imitate.py and improve.py trained. */
+/**
+ * Compares the shipped network, which imitate.py and improve.py trained, with its scores in JAX.
+ */
 class TrainedPoliciesTest {
   private static final Path TRAINED =
       Path.of(System.getProperty("hificamsim.root"), "python/examples/trained");
@@ -26,7 +28,7 @@ class TrainedPoliciesTest {
   /** The scores in scores.csv are those of the same network in JAX, as measure.py computes them. */
   @ParameterizedTest
   @ValueSource(strings = {"passage-v1", "mate-4v8-9-v1"})
-  void shippedNetworkScoresInTheBenchmarkWhatJaxMeasured(String task) throws IOException {
+  void shippedNetworkScoresInBenchmarkAsMeasuredInJax(String task) throws IOException {
     double measured =
         Files.readAllLines(TRAINED.resolve("scores.csv")).stream()
             .filter(row -> row.startsWith(TRAINING + "," + task + ","))
