@@ -120,7 +120,7 @@ class ScipTest {
   }
 
   @Test
-  void provesFractionalWorthsThatMultipliersDoNot() {
+  void provesPlanOfFractionalWorthsThatMultipliersDoNotProve() {
     SplittableRandom random = new SplittableRandom(2);
     CoverInstance plain = SmallInstances.random(random, 60, 40, false).coverable();
     double[] fractional = random.doubles(60).toArray();
