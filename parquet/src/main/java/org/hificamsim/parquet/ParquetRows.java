@@ -91,7 +91,10 @@ final class ParquetRows implements Rows {
     };
   }
 
-  /** Steps are encoded as differences, other columns by a dictionary. */
+  /**
+   * Returns the properties of a file in which steps are encoded as differences, and other columns
+   * by a dictionary.
+   */
   private static ParquetProperties properties(List<? extends Column<?>> columns) {
     ParquetProperties.Builder builder =
         ParquetProperties.builder()
