@@ -3,8 +3,9 @@ package org.hificamsim.placement.cover;
 import java.util.Arrays;
 
 /**
- * Replaces a plan by a cheaper one that covers every point as often, as far as that counts. A plan
- * that covers the most for a budget may spend the rest of the budget on nothing.
+ * Replaces a plan by a cheaper one that covers every point at least as often, up to the number of
+ * times that counts. A plan that covers the most for a budget may spend the rest of the budget on
+ * nothing.
  */
 public final class CheaperPlan {
   private CheaperPlan() {}

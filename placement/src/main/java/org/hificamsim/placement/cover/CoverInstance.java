@@ -7,10 +7,11 @@ import java.util.stream.IntStream;
  * A covering problem: points that are to be covered, and candidates with their prices and the
  * points that they cover.
  *
- * @param unitWorths by point: the worth of covering it once, 0 or more
- * @param needs by point: the number of times that covering it counts (its redundancy k), 0 or more
- * @param covered by candidate: the points that it covers, in ascending order
- * @param prices by candidate: its price, above 0
+ * @param unitWorths for each point, the worth of covering it once, 0 or more
+ * @param needs for each point, the number of times that covering it counts (its redundancy k), 0 or
+ *     more
+ * @param covered for each candidate, the points that it covers, in ascending order
+ * @param prices for each candidate, its price, above 0
  */
 public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, double[] prices) {
   /** Returns an instance of points that are worth 1 when they are covered once. */
@@ -55,7 +56,7 @@ public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, d
   /**
    * The worth of covering the points.
    *
-   * @param counts by point: the number of times that it is covered
+   * @param counts for each point, the number of times that it is covered
    */
   public double worth(int[] counts) {
     double worth = 0;
@@ -68,7 +69,7 @@ public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, d
   /**
    * The worth of covering some points once more.
    *
-   * @param counts by point: the number of times that it is covered already
+   * @param counts for each point, the number of times that it is covered already
    */
   public double gain(int[] counts, int[] points) {
     return Arrays.stream(points)
@@ -90,7 +91,7 @@ public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, d
   /**
    * Returns the instance that remains if other cameras already cover the points.
    *
-   * @param counts by point: the number of other cameras that cover it
+   * @param counts for each point, the number of other cameras that cover it
    */
   public CoverInstance remaining(int[] counts) {
     int[] remainingNeeds = new int[needs.length];

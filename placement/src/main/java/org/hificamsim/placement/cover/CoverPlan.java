@@ -18,7 +18,7 @@ public record CoverPlan(
    * A bound with its proof.
    *
    * @param value the value of the bound
-   * @param multipliers by point: the multipliers from which {@link LagrangianBound#value} computes
+   * @param multipliers the multipliers by point from which {@link LagrangianBound#value} computes
    *     the bound for the candidates that are not {@linkplain Dominance dominated}
    */
   public record MultiplierBound(double value, double[] multipliers) {}

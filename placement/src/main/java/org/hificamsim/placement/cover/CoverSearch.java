@@ -30,7 +30,7 @@ public final class CoverSearch {
 
   private static final int BOUND_STEPS_PER_ROUND = 40;
 
-  /** A candidate keeps at least this share of its price when the bound makes it cheaper. */
+  /** The least share of its price that a candidate keeps when the bound makes it cheaper. */
   private static final double MIN_PRICE_SHARE = 1e-3;
 
   private static final double PRICE_NOISE = 0.1;
@@ -39,7 +39,7 @@ public final class CoverSearch {
   /** The gap, as a share of the score, above which linear bounds are of little use. */
   private static final double LOOSE_GAP = 0.03;
 
-  /** A refilled plan with less than this share of the best worth is not improved by exchanges. */
+  /** The share of the best worth below which a refilled plan is not improved by exchanges. */
   private static final double MIN_EXCHANGED_SHARE = 0.97;
 
   private static final double MARGIN = 1e-9;

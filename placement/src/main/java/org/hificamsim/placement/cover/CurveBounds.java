@@ -29,7 +29,7 @@ public final class CurveBounds {
   private double[] multipliers;
 
   /**
-   * @param multipliers by point: the multipliers that prove a bound for the most expensive plan
+   * @param multipliers the multipliers by point that prove a bound for the most expensive plan
    */
   public CurveBounds(CoverInstance instance, double[] multipliers) {
     this.instance = instance;

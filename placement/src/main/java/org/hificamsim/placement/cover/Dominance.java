@@ -22,7 +22,7 @@ final class Dominance {
   private final CoverInstance instance;
   private final int dominatorsNeeded;
 
-  /** By point: the kept candidates that cover it, by the order in which they were kept. */
+  /** The kept candidates that cover a point, in the order in which they were kept, by point. */
   private final long[][] keptByPoint;
 
   private int kept;

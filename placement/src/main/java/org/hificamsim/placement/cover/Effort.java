@@ -12,7 +12,7 @@ import java.util.function.BooleanSupplier;
  */
 public record Effort(long seed, int idleRounds, Optional<ExactMethod> exact, Limits limits) {
   /**
-   * Tells whether each part of the work has to end.
+   * The limits of the parts of the work.
    *
    * @param search whether the search has to end; a plan is found even if this is true at once
    * @param kernel whether the exact method's work on the most promising candidates has to end

@@ -210,8 +210,8 @@ final class EnumerationTree {
   }
 
   /**
-   * Chooses a group of points that a better plan cannot all miss, such that few candidates cover
-   * any of them, and returns these candidates.
+   * Chooses a group of points that a better plan cannot all miss, and for which few candidates
+   * cover any of them, and returns these candidates.
    */
   private long[] groupCandidates(long[] uncovered, long[] gains, int remaining) {
     long[] allowed = Bits.none(covered.rows());

@@ -23,7 +23,8 @@ final class Greedy {
   private final PriorityQueue<Entry> queue = new PriorityQueue<>();
 
   /**
-   * @param weights by candidate: the divisor of its gain, which is its price, or 1 to compare gains
+   * @param weights for each candidate, the divisor of its gain, which is its price, or 1 to compare
+   *     gains
    */
   Greedy(CoverInstance instance, Goal goal, Selection selection, IntToDoubleFunction weights) {
     this.instance = instance;

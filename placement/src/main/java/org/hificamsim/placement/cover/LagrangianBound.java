@@ -34,7 +34,7 @@ public final class LagrangianBound {
   /** The multipliers that prove {@link #bound}. */
   private final double[] bestMultipliers;
 
-  /** By candidate: the sum of the multipliers of its points. */
+  /** The sum of the multipliers of the points of each candidate. */
   private final double[] multiplierSums;
 
   /** The worth of a price of 1, for the present multipliers: the multiplier of the budget. */
@@ -60,7 +60,7 @@ public final class LagrangianBound {
   /**
    * Returns the bound that a first plan gives.
    *
-   * @param counts by point: the number of times that the plan covers it
+   * @param counts for each point, the number of times that the plan covers it
    */
   static LagrangianBound of(CoverInstance instance, Goal goal, int[] counts) {
     double[] multipliers =

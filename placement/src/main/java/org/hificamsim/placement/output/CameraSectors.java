@@ -19,8 +19,8 @@ import org.hificamsim.presentation.replay.Setup;
 
 /**
  * The parts of a site that cameras see in the views in which they are mounted. Each is a sector as
- * wide as the picture and cut by walls. It reaches as far as people are detected in the way of the
- * zone of which the camera covers most. A sector begins at the camera; in its blind zone, people
+ * wide as the picture and cut by walls. It reaches as far as people are detected according to the
+ * zone in which the camera covers most. A sector begins at the camera; in its blind zone, people
  * are so near that they are below the picture.
  */
 final class CameraSectors {
@@ -72,7 +72,7 @@ final class CameraSectors {
   /**
    * The sector of a camera, in metres.
    *
-   * @param area from the camera to where people are no longer seen
+   * @param area the area from the camera to where people are no longer seen
    * @param blindZone the part in which people are too near
    */
   record Sector(Area area, Area blindZone) {}

@@ -19,13 +19,13 @@ import org.hificamsim.runs.cells.FieldCells;
  * The cells of a plan, sorted into classes by what cameras see of them. A picture of the plan
  * colours them by class.
  *
- * @param values by cell: the number of its class; NaN if no zone asks for the cell
- * @param colors of the classes
- * @param labels of the classes
+ * @param values for each cell, the number of its class; NaN if no zone asks for the cell
+ * @param colors the colors of the classes
+ * @param labels the labels of the classes
  */
 record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<String> labels) {
   /**
-   * Returns classes that tell how many cameras see a cell: none, fewer than one of its zones asks
+   * Returns classes that say how many cameras see a cell: none, fewer than one of its zones asks
    * for, or as many as all its zones ask for.
    */
   static CellClasses coverage(CameraPlan plan) {
@@ -68,7 +68,7 @@ record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<S
   }
 
   /**
-   * Returns classes that tell the highest level of a standard that cameras reach in each cell. The
+   * Returns classes that say the highest level of a standard that cameras reach in each cell. The
    * result is empty if zones ask for no level, or for levels of two standards.
    */
   static Optional<CellClasses> levels(CameraPlan plan, Catalogue catalogue) {

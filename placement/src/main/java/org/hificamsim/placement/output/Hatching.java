@@ -11,7 +11,7 @@ import org.hificamsim.presentation.plot.Palette;
 /**
  * A pattern of parallel lines that fills a shape.
  *
- * @param gap between lines along an axis, points
+ * @param gap between lines along an axis, in points
  * @param slope 1 for lines that rise to the right, -1 for lines that fall
  */
 record Hatching(Color color, double gap, int slope) {

@@ -20,7 +20,7 @@ final class LabelPlaces {
   private final List<Rectangle2D> taken = new ArrayList<>();
 
   /**
-   * @param area in which labels are kept where there is room
+   * @param area the area that labels should not leave
    */
   LabelPlaces(Rectangle2D area) {
     this.area = area;

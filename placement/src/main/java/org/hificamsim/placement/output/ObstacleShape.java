@@ -21,7 +21,7 @@ final class ObstacleShape {
   /**
    * Paints an obstacle: a wall as a line, others as filled shapes.
    *
-   * @param toPaper from metres on the site to points of the picture
+   * @param toPaper the transform from metres on the site to points of the picture
    */
   static void paint(Graphics2D graphics, Obstacle obstacle, AffineTransform toPaper) {
     if (obstacle instanceof Obstacle.Wall wall) {

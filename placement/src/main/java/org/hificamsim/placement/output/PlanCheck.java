@@ -36,9 +36,9 @@ import org.hificamsim.placement.site.PointSight;
 import org.hificamsim.runs.output.ResultFolder;
 
 /**
- * Checks a plan by nothing but the files in its folder. A target stands at each point of the
- * demand, steps are simulated as in {@code run}, and what cameras detect is counted. If the folder
- * has all candidates, these are simulated, too, and the multipliers then give the bound again.
+ * Checks a plan by the files in its folder only. A target stands at each point of the demand, steps
+ * are simulated as in {@code run}, and what cameras detect is counted. If the folder has all
+ * candidates, these are simulated, too, and the multipliers then give the bound again.
  */
 public final class PlanCheck {
   private static final double MARGIN = 1e-6;
@@ -118,7 +118,7 @@ public final class PlanCheck {
   /**
    * Checks the plan.
    *
-   * @param progress runs after each camera that is simulated
+   * @param progress action to run after each camera that is simulated
    * @return what was confirmed, in lines for people
    * @throws InputException if anything is not as the folder says
    */

@@ -40,13 +40,13 @@ final class PlanDxf {
   /** The value of the variable $INSUNITS for drawings in metres. */
   private static final int METRES = 6;
 
-  /** The greatest distance of a curve from the lines that are drawn in its place, metres. */
+  /** The greatest distance of a curve from the lines that are drawn in its place, in metres. */
   private static final double FLATNESS = 0.02;
 
-  /** The height of texts, metres. */
+  /** The height of texts, in metres. */
   private static final double TEXT_HEIGHT = 0.3;
 
-  /** The radius of a camera's symbol, metres. */
+  /** The radius of a camera's symbol, in metres. */
   private static final double SYMBOL_RADIUS = 0.2;
 
   /** The attributes of a camera's block, by tag. Programs show the name only. */

@@ -49,7 +49,7 @@ public final class PlanFiles {
   private PlanFiles() {}
 
   /**
-   * What documents contain besides the plan.
+   * The content of documents in addition to the plan.
    *
    * @param site the file of the site; its floor plan is in the same folder
    * @param floor the floor plan of the site
@@ -68,7 +68,7 @@ public final class PlanFiles {
     return PlanSheet.omission(plan);
   }
 
-  /** Adds the files of a plan to a folder, among them those that tell how the search found it. */
+  /** Adds the files of a plan to a folder, among them those that say how the search found it. */
   public static void write(OutputFolder folder, SitePlan plan, Catalogue catalogue, Content content)
       throws IOException {
     content.progress.accept("bounds the curve of coverage");

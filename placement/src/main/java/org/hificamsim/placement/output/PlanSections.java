@@ -93,7 +93,7 @@ final class PlanSections {
     return plan.cover().area().zones().get(demand.zones().indexOf(zone));
   }
 
-  /** The area of all blind spots of a zone, square metres. */
+  /** The area of all blind spots of a zone, in square metres. */
   private double notMet(ZoneDemand zone) {
     return plan.cover().blindSpots().stream()
         .filter(spot -> spot.zone().equals(zone.name()))
@@ -172,8 +172,8 @@ final class PlanSections {
   }
 
   /**
-   * Returns the name of the zone of which a greater share becomes blind than of all others, with
-   * this share; empty if none becomes blind.
+   * Returns the name of the zone that loses the greatest share, with that share; empty if none
+   * becomes blind.
    */
   private String mostBlindZone(int[] countsWithout) {
     ToDoubleFunction<ZoneDemand> lostShare =

@@ -44,7 +44,7 @@ final class PlanSheet {
       "levels are not drawn, since the zones ask for those of two standards";
 
   /**
-   * What documents contain besides the plan.
+   * The content of documents in addition to the plan.
    *
    * @param floor the floor plan of the site
    * @param command the words of the command that made the plan
@@ -87,7 +87,7 @@ final class PlanSheet {
     return CellClasses.asksForTwoStandards(plan) ? Optional.of(TWO_STANDARDS) : Optional.empty();
   }
 
-  /** Draws the share over the price; over the number of cameras where a plan is for a number. */
+  /** Draws the share over the price, or over the number of cameras if the plan is for a number. */
   private static Figure curve(List<CurvePoint> points, String currency) {
     boolean isByNumber = points.stream().allMatch(point -> point.price() == point.cameras());
     double[] prices = points.stream().mapToDouble(CurvePoint::price).toArray();

@@ -14,7 +14,7 @@ final class PlanTables {
   /**
    * A camera of the plan.
    *
-   * @param z the height at which it hangs, metres; NaN in a world without heights
+   * @param z the height at which it hangs, in metres; NaN in a world without heights
    * @param coveredPoints the number of points that it covers
    * @param shareWithout the share of the demand that is met without it
    */

@@ -15,8 +15,8 @@ import org.hificamsim.runs.cells.FieldCells;
  * together the share that is not met.
  *
  * @param area square metres; where some of several cameras see, a part of the area counts
- * @param x of its centre, metres
- * @param y of its centre, metres
+ * @param x the x coordinate of its centre, in metres
+ * @param y the y coordinate of its centre, in metres
  */
 public record BlindSpot(String zone, double area, double x, double y) {
   private static final double LEAST_SHOWN_AREA = 0.05; // square metres
@@ -24,7 +24,7 @@ public record BlindSpot(String zone, double area, double x, double y) {
   /**
    * Returns all blind spots of a zone, the largest first.
    *
-   * @param missing by cell, the part of the demand that is not met, in [0, 1]
+   * @param missing for each cell, the part of the demand that is not met, in [0, 1]
    */
   static List<BlindSpot> of(String zone, FieldCells cells, double[] missing) {
     BitSet blindCells = new BitSet();
@@ -39,11 +39,11 @@ public record BlindSpot(String zone, double area, double x, double y) {
   }
 
   /**
-   * Some blind spots as people read them.
+   * The blind spots that a text names, and the sum of the others.
    *
    * @param shown the largest spots, in their order; none whose area is 0.0 as it is shown
    * @param others the number of all other spots
-   * @param otherArea the area of all other spots, square metres
+   * @param otherArea the area of all other spots, in square metres
    */
   public record Listing(List<BlindSpot> shown, int others, double otherArea) {
     /**

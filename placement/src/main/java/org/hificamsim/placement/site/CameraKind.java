@@ -11,7 +11,7 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
  * A kind of camera that can be bought.
  *
  * @param optics the lens, which may pan and zoom
- * @param price in the currency of the catalogue, above 0
+ * @param price the price in the currency of the catalogue, above 0
  */
 public record CameraKind(String name, OpticsSpec optics, double price) {
   /**
@@ -39,7 +39,7 @@ public record CameraKind(String name, OpticsSpec optics, double price) {
    * Returns the lens, set to an angle of view. A lens that turns stays as it is unless an angle is
    * given.
    *
-   * @param angle degrees; null for the widest, or for a lens that turns as it is
+   * @param angle the angle in degrees; null for the widest, or for a lens that turns as it is
    * @throws InputException if the lens has no such angle
    */
   OpticsSpec setTo(Double angle) {

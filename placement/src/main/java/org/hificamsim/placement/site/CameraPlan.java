@@ -12,7 +12,7 @@ import org.hificamsim.core.scenario.spec.Floorplan;
  * site has.
  */
 public interface CameraPlan {
-  /** The cameras, those that stay first, and what they cover. */
+  /** Returns the cameras, the kept ones first, and what they cover. */
   PlanCover cover();
 
   /** The meaning of covering a point, by which the cover is measured. */
@@ -24,7 +24,7 @@ public interface CameraPlan {
   /** The new cameras, as products to order. */
   List<Product> products();
 
-  /** Returns lines for people that tell how good the plan is, beginning with what it meets. */
+  /** Returns lines for people that say how good the plan is, beginning with what it meets. */
   List<String> facts();
 
   /** Returns the site with these cameras, and with its floor plan in the folder of the plan. */
@@ -33,7 +33,7 @@ public interface CameraPlan {
   /**
    * A camera that can be ordered.
    *
-   * @param price in the currency of its catalogue
+   * @param price the price in the currency of its catalogue
    */
   record Product(String name, double price) {}
 
@@ -53,8 +53,8 @@ public interface CameraPlan {
   }
 
   /**
-   * Returns the first of the facts, which tells how many cameras there are, what they cost, and
-   * what they meet.
+   * Returns the first of the facts, which says how many cameras there are, what they cost, and what
+   * they meet.
    *
    * @param note a remark on the cameras, which follows their number; may be empty
    * @param price the price of the new ones
@@ -65,7 +65,7 @@ public interface CameraPlan {
         Texts.counted(cameras().size(), "camera"), note, price, 100 * cover().claimedShare());
   }
 
-  /** The height at which a camera hangs, metres; NaN if the site has none. */
+  /** The height at which a camera hangs, in metres; NaN if the site has none. */
   default double height(CameraSpec camera) {
     return camera.z().orElse(demand().site().mountHeight().orElse(Double.NaN));
   }

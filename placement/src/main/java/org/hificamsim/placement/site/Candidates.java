@@ -28,11 +28,11 @@ import org.hificamsim.placement.cover.CoverInstance;
  * that are superfluous since others on the same mount point cover their points for no higher price.
  *
  * @param list the candidates, in the order of mount points
- * @param covered by candidate: the points that it covers, rising
+ * @param covered for each candidate, the points that it covers, rising
  * @param places the number of mount points from which cameras looked
  */
 public record Candidates(List<Candidate> list, int[][] covered, int places) {
-  /** Degrees from one heading to the next. */
+  /** The angle from one heading to the next, in degrees. */
   static final int HEADING_STEP = 15;
 
   /** The number of mount points from which cameras look in any case. */
@@ -42,7 +42,7 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
 
   private static final double GOLDEN_RATIO = (Math.sqrt(5) - 1) / 2;
 
-  /** Degrees below the horizon, on sites with heights. */
+  /** The tilts of cameras on sites with heights, in degrees below the horizon. */
   private static final List<Double> TILTS = List.of(0.0, 15.0, 30.0);
 
   /** A camera that could be mounted. */
@@ -65,19 +65,19 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
   }
 
   /**
-   * What can be mounted where.
+   * The cameras that can be mounted, and where.
    *
    * @param points where cameras can be mounted
-   * @param kinds of cameras
+   * @param kinds the kinds of cameras
    */
   public record Options(List<Point> points, List<CameraKind> kinds) {}
 
   /**
-   * How candidates are found.
+   * The effort for finding candidates.
    *
    * @param stop whether to leave out the mount points that are not yet reached; a few are reached
    *     in any case
-   * @param finished is run for each mount point whose candidates are known
+   * @param finished action to run for each mount point whose candidates are known
    */
   public record Work(int threads, BooleanSupplier stop, Runnable finished) {}
 
@@ -202,7 +202,7 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
   /**
    * Returns the candidates of a scout's kind, point and tilt.
    *
-   * @param seen by view of the scout: the points that it sees
+   * @param seen for each view of the scout, the points that it sees
    */
   private static Stream<CoveringCandidate> candidates(
       Candidate scout, CoverageReading reading, int[][] seen) {
@@ -254,7 +254,7 @@ public record Candidates(List<Candidate> list, int[][] covered, int places) {
             });
   }
 
-  /** The name of the product whose lens {@link #atLevel} has set; of another lens, its own name. */
+  /** The name of the product whose lens {@link #atLevel} has set, or the name of any other lens. */
   static String productOf(OpticsSpec optics) {
     return SET_ANGLE.matcher(optics.name()).replaceFirst("");
   }

@@ -1,6 +1,6 @@
 package org.hificamsim.placement.site;
 
-/** What it means that a camera covers a point. */
+/** The condition under which a camera covers a point. */
 public enum CoverageReading {
   /** The point is in the view in which the camera is mounted. */
   FIXED("by the fixed view of each camera"),

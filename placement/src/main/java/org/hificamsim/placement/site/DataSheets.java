@@ -106,7 +106,7 @@ record DataSheets(Path file, boolean withHeights) {
     return Math.abs(aspect / USUAL_ASPECT - 1) < 0.01 ? wide : wide.with(OpticsSpec.ASPECT, aspect);
   }
 
-  /** Returns the angles of view of a lens, from narrow to wide, degrees. */
+  /** Returns the angles of view of a lens, from narrow to wide, in degrees. */
   private static List<Double> angles(CsvRow row) {
     boolean byAngle = text(row, "hfov").isPresent();
     if (byAngle == text(row, "focal").isPresent()) {

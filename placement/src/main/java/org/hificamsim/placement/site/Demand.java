@@ -26,7 +26,7 @@ import org.hificamsim.runs.cells.ZoneArea;
  * The points that cameras have to cover: the centres of the cells of each zone. A cell in two zones
  * counts as two points. (Files and the command line call these points samples.)
  *
- * @param cells by zone: the cells into which it is cut; empty if only points are needed
+ * @param cells for each zone, the cells into which it is cut; empty if only points are needed
  * @param points the points of all zones, in the order of zones
  */
 public record Demand(
@@ -111,8 +111,8 @@ public record Demand(
    * cell: it is 1 in a zone of weight 1 with the smallest cells of all zones.
    *
    * @param redundancy the number of cameras that each point needs, in place of what the zones say
-   * @param visits by cell: the number of targets that were in it over time, which is a factor of
-   *     the weight, and for which all zones must have the same cells; empty for equal weights
+   * @param visits for each cell, the number of targets that were in it over time, which is a factor
+   *     of the weight, and for which all zones must have the same cells; empty for equal weights
    * @throws InputException if nothing is to be covered
    */
   public static Demand of(
@@ -170,7 +170,7 @@ public record Demand(
     return Collections.min(cells, Comparator.comparingDouble(FieldCells::width));
   }
 
-  /** The width of the largest cells, metres. */
+  /** The width of the largest cells, in metres. */
   public double greatestCellWidth() {
     return cells.stream().mapToDouble(FieldCells::width).max().orElseThrow();
   }
@@ -250,7 +250,7 @@ public record Demand(
   }
 
   /**
-   * Whether all parts of a zone's area are worth the same. Otherwise the weights of points tell
+   * Whether all parts of a zone's area are worth the same. Otherwise the weights of points say
    * where targets are.
    */
   public boolean isForArea() {
@@ -301,7 +301,7 @@ public record Demand(
    * Returns the share of a zone's demand that is met. Points that fewer than k cameras cover count
    * in part.
    *
-   * @param counts by point: the number of cameras that cover it
+   * @param counts for each point, the number of cameras that cover it
    */
   public double share(ZoneDemand zone, int[] counts) {
     return share(zone, counts, false);
@@ -311,7 +311,7 @@ public record Demand(
    * Returns the share of a zone's demand that is met if only points count that k cameras or more
    * cover.
    *
-   * @param counts by point: the number of cameras that cover it
+   * @param counts for each point, the number of cameras that cover it
    */
   public double shareByK(ZoneDemand zone, int[] counts) {
     return share(zone, counts, true);

@@ -17,10 +17,10 @@ import org.locationtech.jts.operation.union.UnaryUnionOp;
  * widest entrance cannot reach from outside.
  */
 final class Enclosure {
-  /** The width of the widest entrance, metres. */
+  /** The width of the widest entrance, in metres. */
   static final double MAX_ENTRANCE = 6;
 
-  /** A distance above the error of a circle that is drawn as a polygon, metres. */
+  /** A distance above the error of a circle that is drawn as a polygon, in metres. */
   private static final double ROUNDING = 0.02;
 
   private static final int CORNERS_OF_QUARTER = 32;

@@ -4,7 +4,7 @@ import java.util.List;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
 
-/** The cameras of a scenario as they are, whoever planned them. */
+/** The present cameras of a scenario, as a plan to evaluate. */
 public record EvaluatedPlan(PlanCover cover, CoverageReading reading) implements CameraPlan {
   @Override
   public int keptCameras() {

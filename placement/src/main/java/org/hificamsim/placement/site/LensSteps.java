@@ -21,7 +21,7 @@ record LensSteps(List<Double> values, boolean isRange) {
   /**
    * Reads a cell of a table such as {@code 95}, {@code 33-105} or {@code 30 60 90}.
    *
-   * @param unit for the message about a wrong cell
+   * @param unit the unit for the message about a wrong cell
    */
   static LensSteps read(CsvRow row, String column, String unit, double least, double greatest) {
     String text = row.text(column).strip();

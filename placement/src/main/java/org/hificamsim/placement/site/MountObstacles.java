@@ -22,7 +22,7 @@ import org.locationtech.jts.operation.distance.IndexedFacetDistance;
  * cameras, and the border of the field.
  */
 final class MountObstacles {
-  /** A distance above the error of points that are rounded to centimetres, metres. */
+  /** A distance above the error of points that are rounded to centimetres, in metres. */
   private static final double ROUNDING = 0.008;
 
   private static final GeometryFactory GEOMETRY = new GeometryFactory();
@@ -93,8 +93,8 @@ final class MountObstacles {
   /**
    * Whether a point is in no obstacle and far enough from all of them to mount a camera there.
    *
-   * @param point with coordinates that are rounded to centimetres
-   * @param clearance the least distance from obstacles and border, metres
+   * @param point the point with coordinates that are rounded to centimetres
+   * @param clearance the least distance from obstacles and border, in metres
    */
   boolean isFree(Point point, double clearance) {
     return cutAtHeight.containing(point.x(), point.y()).isEmpty()

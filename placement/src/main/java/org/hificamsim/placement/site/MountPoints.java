@@ -19,28 +19,27 @@ import org.hificamsim.data.CsvRow;
 /**
  * Finds the points where cameras can be mounted: along both sides of walls, around polygons and
  * pillars, along the border of the field, on the ceiling, or at listed points. On a site with
- * heights, only obstacles count that are there at the height of its cameras. No camera hangs in a
- * door or another narrow gap. If all zones are inside a building, no camera hangs outside or on the
- * border.
+ * heights, only obstacles that reach the height of the cameras count. No camera hangs in a door or
+ * another narrow gap. If all zones are inside a building, no camera hangs outside or on the border.
  */
 public final class MountPoints {
-  /** The usual distance of a camera from what it is mounted on, metres. */
+  /** The usual distance of a camera from what it is mounted on, in metres. */
   public static final double CLEARANCE = 0.2;
 
   private static final double MAX_COORDINATE = 1e9;
 
-  /** The width of the widest gap that is a door, metres. */
+  /** The width of the widest gap that is a door, in metres. */
   private static final double MAX_DOOR = 2.5;
 
-  /** The thickness of the thickest wall in which doors are, metres. */
+  /** The thickness of the thickest wall in which doors are, in metres. */
   private static final double MAX_THICKNESS = 0.6;
 
   /**
    * Rules by which cameras are mounted.
    *
-   * @param spacing the distance from one point to the next, metres, above 0
+   * @param spacing the distance from one point to the next, in metres, above 0
    * @param clearance the distance of a camera from the surface that it is mounted on, and the least
-   *     one from everything else, metres, above 0
+   *     one from everything else, in metres, above 0
    * @param ceiling whether to add a grid of points all over the field
    * @param forbidden zones in which no camera may be
    */
@@ -102,7 +101,7 @@ public final class MountPoints {
   }
 
   /**
-   * Reads the points from a table with the columns x and y, metres.
+   * Reads the points from a table with the columns x and y, in metres.
    *
    * @throws InputException if there is no point, or one where no camera can be, with line and
    *     column
@@ -127,7 +126,7 @@ public final class MountPoints {
     return List.copyOf(points);
   }
 
-  /** Returns the width of a gap between two obstacles that has no room for a camera, metres. */
+  /** Returns the width of a gap between two obstacles that has no room for a camera, in metres. */
   private double slot() {
     return 3 * rules.clearance;
   }
@@ -140,7 +139,7 @@ public final class MountPoints {
     }
   }
 
-  /** The width of the widest door, metres: in a building, of its widest entrance. */
+  /** The width of the widest door, in metres: in a building, of its widest entrance. */
   private double widestDoor() {
     return building.isPresent() ? Enclosure.MAX_ENTRANCE : MAX_DOOR;
   }
@@ -171,7 +170,7 @@ public final class MountPoints {
   /**
    * Adds points on both sides of a line, from one end to the other.
    *
-   * @param room the distance in front of a camera in which no obstacle may be, metres
+   * @param room the distance in front of a camera in which no obstacle may be, in metres
    */
   private void addAlong(Point from, Point to, double room) {
     double clearance = rules.clearance;

@@ -8,22 +8,23 @@ import org.hificamsim.core.scenario.Scenario;
 /**
  * The place where a camera is mounted, and the direction in which it looks.
  *
- * @param z metres; empty in a flat world, and if the site gives the height of all cameras
+ * @param z the height in metres; empty in a flat world, and if the site gives the height of all
+ *     cameras
  * @param tilt degrees below the horizon
- * @param heading degrees, from -180
+ * @param heading the heading in degrees, from -180
  */
 public record Mounting(Point position, Optional<Double> z, double tilt, double heading) {
-  /** The height of new cameras on a site with heights that does not give one, metres. */
+  /** The height of new cameras on a site with heights that does not give one, in metres. */
   private static final double DEFAULT_HEIGHT = 3;
 
-  /** Returns the height of new cameras on a site, metres; empty in a flat world. */
+  /** Returns the height of new cameras on a site, in metres; empty in a flat world. */
   static OptionalDouble heightOn(Scenario site) {
     return site.hasHeights()
         ? OptionalDouble.of(site.mountHeight().orElse(DEFAULT_HEIGHT))
         : OptionalDouble.empty();
   }
 
-  /** Returns the height of new cameras on a site that does not give one, metres. */
+  /** Returns the height of new cameras on a site that does not give one, in metres. */
   static Optional<Double> newHeightOn(Scenario site) {
     return site.mountHeight().isPresent()
         ? Optional.empty()
@@ -35,7 +36,7 @@ public record Mounting(Point position, Optional<Double> z, double tilt, double h
     return new Mounting(position, z, tilt, sum(heading, degrees));
   }
 
-  /** Returns the mounting with another tilt, degrees. */
+  /** Returns the mounting with another tilt, in degrees. */
   Mounting tiltedTo(double newTilt) {
     return new Mounting(position, z, newTilt, heading);
   }

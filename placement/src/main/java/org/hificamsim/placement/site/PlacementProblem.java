@@ -28,7 +28,7 @@ import org.hificamsim.placement.site.SitePlan.Shares;
  *
  * @param instance the covering problem of the whole demand, as if no camera were kept; the one that
  *     is searched is {@link #remaining}
- * @param keptCounts by point: the number of kept cameras that cover it
+ * @param keptCounts for each point, the number of kept cameras that cover it
  */
 public record PlacementProblem(
     Request request,
@@ -38,7 +38,7 @@ public record PlacementProblem(
     int[] keptCounts) {
 
   /**
-   * What a plan is asked for.
+   * The request for a plan.
    *
    * @param options what can be mounted where
    * @param kept the cameras that stay
@@ -58,7 +58,7 @@ public record PlacementProblem(
    */
   public record SiteGoal(Goal goal, boolean byNumber) {}
 
-  /** Is told how the search for a plan goes on. */
+  /** Receives the progress of the search for a plan. */
   @FunctionalInterface
   public interface Watcher extends CoverSearch.Watcher {
     /** Receives the next part of the work, such as "measures what the plan meets". */

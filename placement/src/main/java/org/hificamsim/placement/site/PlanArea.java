@@ -8,16 +8,17 @@ import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.runs.cells.ZoneArea;
 
 /**
- * What cameras see of the area of each zone. The search covers samples; between these less may be
- * seen, so a plan's claim is of the area.
+ * The part of each zone's area that cameras see. The search covers samples; between these less may
+ * be seen, so a plan's claim is of the area.
  */
 public record PlanArea(List<MeasuredZone> zones) {
   /**
    * A zone that was measured.
    *
-   * @param share that is seen as the zone demands, in [0, 1]; NaN if the zone has no free area
+   * @param share the share that is seen as the zone demands, in [0, 1]; NaN if the zone has no free
+   *     area
    * @param squareMetres its area outside obstacles
-   * @param weight of the zone among all, as {@code run} weighs it
+   * @param weight the weight of the zone among all, as {@code run} weighs it
    * @param blindSpots where something is missing, the largest first
    */
   public record MeasuredZone(
@@ -32,7 +33,7 @@ public record PlanArea(List<MeasuredZone> zones) {
   /**
    * Measures the cameras of a plan.
    *
-   * @param measured is told of each zone that has been measured
+   * @param measured action to run after each zone has been measured
    */
   static PlanArea of(
       Demand demand,

@@ -9,9 +9,9 @@ import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.runs.cells.FieldCells;
 
 /**
- * What cameras cover of a demand.
+ * The part of a demand that cameras cover.
  *
- * @param covered by camera: the points that it covers, rising
+ * @param covered for each camera, the points that it covers, rising
  * @param area what the cameras see of each zone's area
  */
 public record PlanCover(Demand demand, List<CameraSpec> cameras, int[][] covered, PlanArea area) {
@@ -24,7 +24,7 @@ public record PlanCover(Demand demand, List<CameraSpec> cameras, int[][] covered
   /**
    * Measures cameras.
    *
-   * @param measured is told of each zone that has been measured
+   * @param measured action to run after each zone has been measured
    */
   public static PlanCover of(
       Demand demand,
@@ -44,7 +44,7 @@ public record PlanCover(Demand demand, List<CameraSpec> cameras, int[][] covered
     return countsWithout(-1);
   }
 
-  /** By point, the number of cameras that cover it after the failure of one. */
+  /** Returns for each point the number of cameras that cover it after the failure of one. */
   public int[] countsWithout(int failed) {
     int[] working = IntStream.range(0, cameras.size()).filter(camera -> camera != failed).toArray();
     return instance().counts(working);

@@ -33,7 +33,7 @@ public final class PointSight {
   private final Catalogue catalogue;
   private final TargetSpec usual;
 
-  /** By zone: the site with a target at each point of the zone. */
+  /** The sites by zone, each with a target at each point of the zone. */
   private final List<Scenario> scenarios = new ArrayList<>();
 
   /**

@@ -20,7 +20,7 @@ public record PriceList(List<CameraKind> kinds, String currency) {
   /** The name of the list that has all kinds of cameras of the scenario, each at the price of 1. */
   public static final String SITE = "site";
 
-  /** The currency of lists that do not tell theirs. */
+  /** The currency of lists that name none. */
   public static final String USUAL_CURRENCY = "EUR";
 
   /**

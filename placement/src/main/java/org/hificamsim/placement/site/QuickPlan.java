@@ -15,7 +15,7 @@ import org.hificamsim.placement.cover.Goal;
 import org.hificamsim.presentation.view.Planner;
 
 /**
- * Searches in a short time for a plan of cameras with fixed views, while somebody waits for it.
+ * Searches in a short time for a plan of cameras with fixed views, while a user waits for it.
  *
  * @param points where cameras can be mounted
  */

@@ -60,8 +60,8 @@ public record Refinement(List<List<Point>> pointsByStep, int threads, BooleanSup
   }
 
   /**
-   * Makes the best move of one camera after the other, each of which takes the moves before it into
-   * account; returns whether any camera moved.
+   * Makes the best move of one camera after another, given the moves before; returns whether any
+   * camera moved.
    */
   private static boolean moveAll(
       PlacementProblem problem,

@@ -104,8 +104,8 @@ public record SitePlan(
   }
 
   /**
-   * Of what it is proven that no plan is better, in words: of samples and candidates, not of the
-   * area and of all places. Empty if it is not proven.
+   * Returns in words for which samples and candidates no plan is better; the proof does not hold
+   * for the area or for other places. Empty if it is not proven.
    */
   public Optional<String> provenOf() {
     if (!coverPlan.isProven()) {
@@ -151,8 +151,8 @@ public record SitePlan(
   public record CurvePoint(int cameras, double price, double share, double bound) {}
 
   /**
-   * Returns the share of the demand that is met for each number of new cameras, of which those that
-   * add most come first.
+   * Returns the share of the demand that is met for each number of new cameras, the ones that add
+   * most first.
    */
   public List<CurvePoint> curve() {
     int kept = keptCameras();

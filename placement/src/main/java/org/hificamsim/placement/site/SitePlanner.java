@@ -36,7 +36,10 @@ public record SitePlanner(
 
   private static final Sampling SAMPLING = new Sampling(PARTS, FieldCells.MAX);
 
-  /** Degrees below the horizon, of cameras that are mounted by hand on sites with heights. */
+  /**
+   * The tilt of cameras that are mounted by hand on sites with heights, in degrees below the
+   * horizon.
+   */
   private static final double USUAL_TILT = 15;
 
   private static final long MAX_NANOSECONDS = 1_500_000_000;

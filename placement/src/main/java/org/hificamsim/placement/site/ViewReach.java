@@ -13,8 +13,8 @@ import org.hificamsim.placement.site.Demand.ZoneDemand;
  * The distances at which people are seen in the middle of a camera's view, if nothing is in the
  * way.
  *
- * @param near the least distance, metres
- * @param far the greatest distance, metres; 0 if nobody is seen
+ * @param near the least distance, in metres
+ * @param far the greatest distance, in metres; 0 if nobody is seen
  */
 public record ViewReach(double near, double far) {
   private static final int SAMPLES = 400;
@@ -22,8 +22,8 @@ public record ViewReach(double near, double far) {
   /**
    * A line through the middle of a view, which begins at the camera.
    *
-   * @param heading radians, 0 is +y and pi/2 is +x
-   * @param length metres
+   * @param heading the heading in radians, 0 is +y and pi/2 is +x
+   * @param length the length in metres
    */
   public record Axis(CameraSpec camera, double heading, double length) {
     private DemandPoint point(int number) {

@@ -36,7 +36,7 @@ class BlindSpotTest {
   }
 
   @Test
-  void sumToAreaThatIsNotMet() throws IOException {
+  void areasSumToAreaThatIsNotMet() throws IOException {
     Scenario site =
         TestSite.read(
             folder,

@@ -71,7 +71,7 @@ class DataSheetsTest {
             + " 'CHF', expected that of all other rows, EUR",
         "name,resolution,hfov,price; csv:1:1: the table has no camera",
       })
-  void messageTellsPlaceOfWrongCell(String table, String message) {
+  void errorNamesPlaceOfInvalidCell(String table, String message) {
     InputException wrong = assertThrows(InputException.class, () -> read(table, false));
     assertTrue(wrong.getMessage().contains(message), wrong.getMessage());
   }

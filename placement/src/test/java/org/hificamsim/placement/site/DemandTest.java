@@ -45,7 +45,7 @@ class DemandTest {
   }
 
   @Test
-  void zonesWeighAsMuchAsTheirAreas() throws IOException {
+  void weightsOfZonesAreProportionalToAreas() throws IOException {
     for (Sampling sampling : new Sampling[] {Sampling.BY_ZONE, Sampling.equal(100)}) {
       Demand demand = demand(sampling);
       double till = demand.weight(demand.zones().get(0));

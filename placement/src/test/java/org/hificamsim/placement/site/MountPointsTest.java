@@ -26,7 +26,7 @@ class MountPointsTest {
   private static final double SIZE = 20;
   private static final double CLEARANCE = 0.25;
 
-  /** More than the rounding of a point to centimetres, metres. */
+  /** A margin that exceeds the rounding of a point to centimetres, in metres. */
   private static final double ROUNDING = 0.01;
 
   @TempDir private Path folder;
@@ -157,7 +157,7 @@ class MountPointsTest {
   }
 
   @Test
-  void everyCameraHangsOnBorderOrObstacleAsHigh() throws IOException {
+  void everyCameraHangsOnBorderOrHighEnoughObstacle() throws IOException {
     Random random = new Random(55);
     for (int trial = 0; trial < 30; trial++) {
       String obstacles =

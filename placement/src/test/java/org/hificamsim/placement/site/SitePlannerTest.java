@@ -16,7 +16,7 @@ import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.presentation.view.Planner;
 import org.junit.jupiter.api.Test;
 
-/** Plans that somebody waits for. */
+/** Tests the quick plans of the live view. */
 class SitePlannerTest {
   private static final Catalogue CATALOGUE = Catalogue.load();
   private static final Detection DETECTION =
