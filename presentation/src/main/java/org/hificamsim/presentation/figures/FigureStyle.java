@@ -25,8 +25,9 @@ import org.hificamsim.presentation.plot.Palette;
  * The words and colours that a user chose for policies and detections, in all pictures and the page
  * of a folder.
  *
- * @param labels by name in files: the words that are shown; for other names, there are usual words
- * @param colors by policy: its colour
+ * @param labels for each name in files, the words that are shown; for other names, there are usual
+ *     words
+ * @param colors for each policy, its colour
  * @param palette the colours of all other policies, in their order
  */
 public record FigureStyle(

@@ -41,8 +41,8 @@ public final class PolicyColors {
   }
 
   /**
-   * Assigns colours. Of policies that differ only in their options, the first gets the colour of
-   * chapter 7.
+   * Assigns colours. If policies differ only in their options, the first gets the colour of chapter
+   * 7.
    */
   public PolicyColors(List<String> policies, FigureStyle style) {
     this.style = style;

@@ -33,7 +33,7 @@ public record Animation(RunFrames run, int first, int last, int every) {
   /**
    * Writes the animation as GIF.
    *
-   * @param width pixels
+   * @param width the width in pixels
    * @param perSecond pictures per second, 1 to 50
    */
   public void write(OutputStream out, int width, int perSecond) throws IOException {

@@ -29,7 +29,7 @@ import org.mozilla.javascript.ScriptableObject;
 final class FieldScript {
   private static final String MODULE = "picture.js";
 
-  /** The radius of a legend's signs, points. */
+  /** The radius of a legend's signs, in points. */
   private static final double SIGN_RADIUS = 5.5;
 
   private static final int LEGEND_ROW = 24;
@@ -68,7 +68,7 @@ final class FieldScript {
     return colors;
   }
 
-  /** Returns the height of the field in a picture of a width, points. */
+  /** Returns the height of the field in a picture of a width, in points. */
   double height(double width) {
     return ((Number) call("height", setup, width)).doubleValue();
   }
@@ -119,14 +119,14 @@ final class FieldScript {
    * A heat map or the cells of a plan.
    *
    * @param figure how the values are shown
-   * @param values by cell
+   * @param values the values by cell
    */
   record Cells(Record figure, double[] values) {}
 
   /**
    * Paints a frame of a run within an area.
    *
-   * @param cells that are painted instead of the frame's views and targets; null for none
+   * @param cells the cells that are painted instead of the frame's views and targets; null for none
    */
   void paint(Graphics2D graphics, Rectangle2D area, RunFrames run, int index, Cells cells) {
     Graphics2D place = (Graphics2D) graphics.create();

@@ -15,7 +15,7 @@ import org.hificamsim.runs.output.StepRow;
 /**
  * The scores of a recorded run whose objective is not k_min.
  *
- * @param byStep by step: its score
+ * @param byStep for each step, its score
  * @param mean the mean score of a step over all repeats
  */
 public record FrameScores(Objective objective, Map<Long, Double> byStep, double mean) {

@@ -25,7 +25,7 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /**
  * Writes an animation as a GIF that repeats for ever. To make the file small, all frames share one
- * palette, and each stores only its differences from the one before. The palette has the most
+ * palette, and each stores only its differences from the previous one. The palette has the most
  * frequent colours of a few frames, and a transparent one for what stays the same. Areas of one
  * colour keep it exactly; rare shades at edges are rounded.
  */

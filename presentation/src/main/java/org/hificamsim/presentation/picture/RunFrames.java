@@ -58,7 +58,7 @@ public final class RunFrames {
     return setup;
   }
 
-  /** The field of the run, metres. */
+  /** The field of the run, in metres. */
   public Field field() {
     return setup.field();
   }

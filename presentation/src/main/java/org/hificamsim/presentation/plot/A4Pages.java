@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
 
 /** Fills numbered A4 pages from top to bottom with texts, pictures and tables. */
 public final class A4Pages {
-  /** The width of a page, points, as are all lengths here. */
+  /** The width of a page, in points, as are all lengths here. */
   private static final int WIDTH = 595;
 
   private static final int HEIGHT = 842;
@@ -32,7 +32,7 @@ public final class A4Pages {
     this.footer = footer;
   }
 
-  /** Adds a heading, which does not stay alone at the end of a page. */
+  /** Adds a heading, and keeps it on one page with what follows. */
   public void heading(String text) {
     if (top + 5 * LINE > HEIGHT - MARGIN) {
       top = HEIGHT;

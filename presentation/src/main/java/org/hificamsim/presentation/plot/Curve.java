@@ -8,8 +8,8 @@ import org.apache.commons.math3.stat.StatUtils;
 /**
  * Points of a curve, in the order of x.
  *
- * @param x by point: its x, ascending
- * @param y by point: its y
+ * @param x for each point, its x, ascending
+ * @param y for each point, its y
  */
 public record Curve(double[] x, double[] y) {
   /** Returns a curve that has these values at x = 0, 1, 2, ... */

@@ -20,7 +20,7 @@ import org.apache.pdfbox.pdmodel.graphics.state.RenderingMode;
 final class EmbeddedText extends PdfBoxGraphics2DFontTextDrawer {
   private static final String FONT = "/org/apache/pdfbox/resources/ttf/LiberationSans-Regular.ttf";
 
-  /** The width of the outlines that make letters bold, points. */
+  /** The width of the outlines that make letters bold, in points. */
   private static final float BOLD_OUTLINE = 0.35f;
 
   private final PDFont font;

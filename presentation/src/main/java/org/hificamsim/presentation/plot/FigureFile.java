@@ -42,7 +42,10 @@ public final class FigureFile {
 
   private static final String SVG = "http://www.w3.org/2000/svg";
 
-  /** Removed from files, because some readers would load the DTD from the network. */
+  /**
+   * The document type, which is removed from files because some readers would load the DTD from the
+   * network.
+   */
   private static final Pattern DOCTYPE = Pattern.compile("<!DOCTYPE[^>]*>\\s*");
 
   static {
@@ -114,7 +117,7 @@ public final class FigureFile {
   /**
    * Writes a PNG image.
    *
-   * @param width pixels
+   * @param width the width in pixels
    */
   public static void png(OutputStream out, Paintable picture, int width) throws IOException {
     compress(image(picture, width), out);
@@ -123,7 +126,7 @@ public final class FigureFile {
   /**
    * Paints a picture on white.
    *
-   * @param width pixels; the height follows
+   * @param width the width in pixels; the height follows
    */
   public static BufferedImage image(Paintable picture, int width) {
     double scale = (double) width / picture.width();

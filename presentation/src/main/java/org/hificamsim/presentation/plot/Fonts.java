@@ -22,8 +22,8 @@ public final class Fonts {
   private Fonts() {}
 
   /**
-   * Measures once in one thread. When two threads started at once, some widths of a bold font were
-   * wrong in the whole process (2 of 1,500 on Java 17).
+   * Measures once in one thread. If two threads started at the same time, some widths of a bold
+   * font were wrong in the whole process (2 of 1,500 on Java 17).
    */
   private static void measureOnce() {
     for (Font font : List.of(TITLE, TEXT)) {
@@ -32,7 +32,7 @@ public final class Fonts {
     }
   }
 
-  /** The width of a text, points. */
+  /** The width of a text, in points. */
   public static int width(String text, Font font) {
     return (int) Math.ceil(font.getStringBounds(text, CONTEXT).getWidth());
   }

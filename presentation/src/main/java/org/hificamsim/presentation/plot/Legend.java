@@ -18,7 +18,7 @@ public final class Legend {
 
   /**
    * @param groups the entries in groups, each of which starts a new row
-   * @param width the width of the legend, points
+   * @param width the width of the legend, in points
    */
   public Legend(List<List<LegendEntry>> groups, int width, int signWidth, int rowHeight) {
     this.signWidth = signWidth;
@@ -42,7 +42,7 @@ public final class Legend {
     return entry.sign() == null ? 0 : signWidth + SIGN_GAP;
   }
 
-  /** The height of the legend, points. */
+  /** The height of the legend, in points. */
   public int height() {
     return rowHeight * rows;
   }

@@ -56,7 +56,7 @@ public record LegendEntry(String label, Sign sign) {
         });
   }
 
-  /** Returns an entry whose sign is a mark alone. */
+  /** Returns an entry whose sign is only a mark. */
   public static LegendEntry of(String label, Color color, Marker mark) {
     return new LegendEntry(label, (graphics, x, y) -> paint(graphics, x, y, color, mark));
   }

@@ -7,7 +7,8 @@ import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /**
- * The colour, mark and dashes that tell a policy from all others, also in print without colour.
+ * The colour, mark and dashes that distinguish a policy from all others, also in print without
+ * colour.
  *
  * @param mark the mark at points of its lines
  * @param stroke the stroke of its lines, which has the dashes

@@ -4,10 +4,10 @@ import java.awt.Graphics2D;
 
 /** A picture that can be painted at any size; lengths are in points. */
 public interface Paintable {
-  /** Width, points. */
+  /** Returns the width, in points. */
   int width();
 
-  /** Height, points. */
+  /** Returns the height, in points. */
   int height();
 
   /** Paints the picture on a white ground. */

@@ -21,7 +21,7 @@ final class PdfFile {
   /**
    * Writes a picture as a document.
    *
-   * @param width of the page, points
+   * @param width the width of the page, in points
    */
   static void write(OutputStream out, Paintable picture, double width) throws IOException {
     try (PDDocument document = new PDDocument()) {

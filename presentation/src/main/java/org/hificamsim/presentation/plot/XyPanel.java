@@ -32,7 +32,7 @@ public class XyPanel extends XYChart {
   private static final double PALE_LINE = 0.38;
   private static final double PALE_BAND = 0.18;
 
-  /** Roughly the width inside a panel, by which XChart sets a tick on each name only. */
+  /** The approximate width inside a panel, by which XChart sets a tick on each name only. */
   private static final int NAMES_WIDTH = 380;
 
   private static final int ROW_HEIGHT = 26;
@@ -77,7 +77,7 @@ public class XyPanel extends XYChart {
     return this;
   }
 
-  /** Names x = 1, 2, 3, ... instead of numbering the axis. */
+  /** Labels x = 1, 2, 3, ... with names instead of numbering the axis. */
   public XyPanel names(List<String> names) {
     getStyler().setPlotGridVerticalLinesVisible(false);
     getStyler().setXAxisMin(0.5);
@@ -87,7 +87,7 @@ public class XyPanel extends XYChart {
     return this;
   }
 
-  /** Names y = 1, 2, 3, ..., from the bottom, instead of numbering the axis. */
+  /** Labels y = 1, 2, 3, ..., from the bottom, with names instead of numbering the axis. */
   public XyPanel rows(List<String> names) {
     getStyler().setYAxisMin(0.5);
     getStyler().setYAxisMax(names.size() + 0.5);
@@ -96,7 +96,10 @@ public class XyPanel extends XYChart {
     return this;
   }
 
-  /** Names x = 0, 1, 2, ... and y = 0, 1, 2, ... as the edges of the cells of a heat map. */
+  /**
+   * Labels x = 0, 1, 2, ... and y = 0, 1, 2, ... with names, as the edges of the cells of a heat
+   * map.
+   */
   public XyPanel edges(List<String> x, List<String> y) {
     getStyler().setPlotGridLinesVisible(false);
     x(0, x.size() - 1);

@@ -23,7 +23,7 @@ final class BeliefFrame implements BeliefListener {
   static final int NUMBERS_PER_TARGET = 4;
   static final int BITS_PER_NUMBER = 32;
 
-  /** All numbers are rounded to multiples of 1 / PER_UNIT. */
+  /** The number of parts of a unit to which all numbers are rounded. */
   static final double PER_UNIT = 1000;
 
   private final Field field;

@@ -6,21 +6,21 @@ import org.hificamsim.core.detection.ZoomLevel;
 /**
  * The position, heading and views of a camera.
  *
- * @param x metres
- * @param y metres
- * @param heading radians, 0 is +y and pi/2 is +x; not normalised
- * @param viewingAngle the full opening angle, radians, (0, 2 pi]; that of the narrowest level if
+ * @param x the x coordinate in metres
+ * @param y the y coordinate in metres
+ * @param heading the heading in radians, 0 is +y and pi/2 is +x; not normalised
+ * @param viewingAngle the full opening angle, in radians, (0, 2 pi]; that of the narrowest level if
  *     the levels differ
  * @param levels the zoom levels, the narrowest first
- * @param pans by direction, of which there is one for each pan angle at each tilt: radians from the
- *     heading to the right; empty if the camera cannot turn
- * @param tilts by direction: radians below the horizon; empty if all are the same
- * @param lenses by level: its optics; empty unless the levels differ in angle or have a pixel
+ * @param pans the pan angle of each direction, of which there is one for each pan angle at each
+ *     tilt: radians from the heading to the right; empty if the camera cannot turn
+ * @param tilts the tilt of each direction, in radians below the horizon; empty if all are the same
+ * @param lenses for each level, its optics; empty unless the levels differ in angle or have a pixel
  *     density
- * @param visible the corners of the region that no solid obstacle hides, x and y in turn, metres;
- *     empty if the scenario has no solid obstacles
- * @param grounds by tilt and level: the corners of the ground that is in the picture, metres to the
- *     right of the view and ahead in turn; empty in a flat world
+ * @param visible the corners of the region that no solid obstacle hides, x and y in turn, in
+ *     metres; empty if the scenario has no solid obstacles
+ * @param grounds for each tilt and level, the corners of the ground that is in the picture, metres
+ *     to the right of the view and ahead in turn; empty in a flat world
  */
 public record CameraPose(
     double x,
@@ -36,18 +36,18 @@ public record CameraPose(
   /**
    * A zoom level of a camera.
    *
-   * @param radius the radius of the field of view, metres
+   * @param radius the radius of the field of view, in metres
    * @param detected the distances at which a target of the usual size is detected, ascending
    */
   public record Level(double radius, List<Interval> detected) {}
 
-  /** A closed range of distances, metres. */
+  /** A closed range of distances, in metres. */
   public record Interval(double from, double to) {}
 
   /**
    * The optics of a camera at one zoom level.
    *
-   * @param viewingAngle full opening angle, radians, (0, 2 pi]
+   * @param viewingAngle full opening angle, in radians, (0, 2 pi]
    * @param density pixels per metre at a distance of one metre; 0 if the scenario names no pixels
    *     or no lens
    */

@@ -31,7 +31,7 @@ public final class FloorPictures {
   private static final int MAX_SIDE = 2000; // pixels
   private static final int MAX_BYTES = 1_000_000;
 
-  /** A picture is read with up to this many times the pixels per side that are kept. */
+  /** The greatest ratio of the pixels per side that are read to those that are kept. */
   private static final int OVERSAMPLING = 4;
 
   private static final String URI_START = "data:image/";

@@ -9,22 +9,22 @@ import org.hificamsim.core.metrics.StepCoverage;
  * the {@link Setup}; the values of a camera that is not online, or of a target that is not present,
  * are undefined.
  *
- * @param level by camera: the view that it chose last, which is its zoom level if it cannot turn, 0
- *     for the narrowest
- * @param detected by camera: the number of targets that it detects
- * @param x by target: its x when the cameras observed it, metres
- * @param y by target: its y then, metres
- * @param coverage by target: the number of cameras that detect it, which is k_j of thesis 7.1
- * @param estimates by camera and view: what the agent estimates, NaN if it has no estimate; of
- *     length 0 if the policy estimates nothing
- * @param counts by camera and view: the number of observations of an estimate, NaN if not known; of
- *     the same length as {@code estimates}
- * @param seeing by camera: the view that it has, -1 while it turns and sees nothing; empty if no
- *     camera needs time to turn
+ * @param level for each camera, the view that it chose last, which is its zoom level if it cannot
+ *     turn, 0 for the narrowest
+ * @param detected for each camera, the number of targets that it detects
+ * @param x for each target, its x when the cameras observed it, in metres
+ * @param y for each target, its y then, in metres
+ * @param coverage for each target, the number of cameras that detect it, which is k_j of thesis 7.1
+ * @param estimates for each camera and view, what the agent estimates, NaN if it has no estimate;
+ *     of length 0 if the policy estimates nothing
+ * @param counts for each camera and view, the number of observations of an estimate, NaN if not
+ *     known; of the same length as {@code estimates}
+ * @param seeing for each camera, the view that it has, -1 while it turns and sees nothing; empty if
+ *     no camera needs time to turn
  * @param belief what the first camera online believes, as numbers of {@link BeliefFrame}; empty if
  *     cameras believe nothing
- * @param holders by target: the camera that has it, -1 for none; empty unless the setup follows
- *     targets
+ * @param holders for each target, the camera that has it, -1 for none; empty unless the setup
+ *     follows targets
  */
 public record Frame(
     long step,

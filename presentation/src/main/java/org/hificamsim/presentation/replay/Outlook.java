@@ -38,7 +38,7 @@ final class Outlook {
 
   private static final GeometryFactory SHAPES = new GeometryFactory();
 
-  /** Corners are rounded to a micrometre, because cutting fails for unrounded ones. */
+  /** The precision of corners, a micrometre, because cutting fails for unrounded ones. */
   private static final PrecisionModel GRID = new PrecisionModel(1e6);
 
   private final List<Obstacle> obstacles;
@@ -54,8 +54,8 @@ final class Outlook {
    * Returns the corners in the form of {@link CameraPose#visible}. A camera in an obstacle sees its
    * own place only.
    *
-   * @param z the height of the camera, metres; NaN in a flat world
-   * @param reach the reach of the camera, metres
+   * @param z the height of the camera, in metres; NaN in a flat world
+   * @param reach the reach of the camera, in metres
    */
   List<Double> from(double x, double y, double z, double reach) {
     Obstacles walls = opaqueByHeight.computeIfAbsent(z, this::opaque);

@@ -35,7 +35,7 @@ public record PackedHeat(
   private static final double PER_UNIT = 1e6; // as in heatmap.csv
 
   /**
-   * How a figure of a map is shown.
+   * The scale by which a figure of a map is shown.
    *
    * @param never words on what a value of 0 means
    * @param end the end of the scale

@@ -39,8 +39,8 @@ final class Poses {
    *
    * @param levels the number of zoom levels
    * @param count the number of views
-   * @param pan by view, radians
-   * @param zoom by view
+   * @param pan the pan angle by view, in radians
+   * @param zoom the zoom by view
    */
   private record CameraViews(
       int levels, int count, IntToDoubleFunction pan, IntFunction<ZoomLevel> zoom) {
@@ -62,7 +62,7 @@ final class Poses {
   }
 
   /**
-   * @param targetSize the size of targets for which distances are shown, metres
+   * @param targetSize the size of targets for which distances are shown, in metres
    */
   Poses(Detection detection, double targetSize, List<Obstacle> obstacles, Field field) {
     this.detection = new Detection(new OnAxis(detection.model()), detection.threshold());

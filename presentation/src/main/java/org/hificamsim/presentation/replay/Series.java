@@ -7,9 +7,9 @@ import java.io.OutputStream;
 import java.util.stream.LongStream;
 
 /**
- * Writes whole numbers in few bytes, and reads them again. Of each number, it writes the difference
- * from the one before, with the sign in the lowest bit (zigzag), and seven bits in each byte, the
- * lowest ones first (LEB128).
+ * Writes whole numbers in few bytes, and reads them again. For each number, it writes the
+ * difference from the previous one, with the sign in the lowest bit (zigzag), and seven bits in
+ * each byte, the lowest ones first (LEB128).
  */
 final class Series {
   private static final int BITS = 7;

@@ -23,19 +23,19 @@ import org.hificamsim.runs.cells.UsualTarget;
  * The scenario and the settings of a run, which do not change while it is shown.
  *
  * @param scenario the name of the scenario
- * @param order the order of a step, which tells when targets move: {@code coverage} or {@code
+ * @param order the order of a step, which says when targets move: {@code coverage} or {@code
  *     camsim}
  * @param detection the name of the detection
  * @param policy the name of the policy with its options
  * @param seed the seed of the run, or of the first repeat
- * @param targetSize the most frequent size of a target, metres, for which distances of detection
+ * @param targetSize the most frequent size of a target, in metres, for which distances of detection
  *     are shown
  * @param onAxis whether detection depends on the bearing; the distances are along the heading then
- * @param cameras by number: the cameras, including those that events add
- * @param targets by number: the targets, including those that events add
- * @param widths by number: the width of a target, metres; empty if all widths equal the sizes
+ * @param cameras the cameras in the order of their numbers, including those that events add
+ * @param targets the targets in the order of their numbers, including those that events add
+ * @param widths the width of each target by number, in metres; empty if all widths equal the sizes
  * @param slow the numbers of cameras that need time to turn
- * @param obstacles in the order of the scenario
+ * @param obstacles the obstacles in the order of the scenario
  * @param floor pictures under the field, at most one
  * @param zones each with the detection and number of cameras that it demands
  * @param following whether frames say which camera has each target
@@ -91,14 +91,14 @@ public record Setup(
   /**
    * A target.
    *
-   * @param size the edge of its bounding box, metres
+   * @param size the edge of its bounding box, in metres
    */
   public record Target(String name, double size) {}
 
   /**
    * A picture that is drawn under the field.
    *
-   * @param area the area that it shows, metres
+   * @param area the area that it shows, in metres
    * @param data the picture as a data URI, PNG or JPEG
    */
   public record Floor(Field area, String data) {}
@@ -164,7 +164,7 @@ public record Setup(
         .toList();
   }
 
-  /** The width of a target, metres. */
+  /** The width of a target, in metres. */
   public double width(int target) {
     return widths.isEmpty() ? targets.get(target).size() : widths.get(target);
   }

@@ -5,7 +5,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.regex.Pattern;
 import org.hificamsim.runs.Metric;
 
-/** Tells pages the title, unit and meaning of each metric, by its name in files. */
+/** Gives pages the title, unit and meaning of each metric, by its name in files. */
 final class MetricNames {
   private static final Pattern LINK = Pattern.compile("\\[([^]]*)]\\([^)]*\\)");
 

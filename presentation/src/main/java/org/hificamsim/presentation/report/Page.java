@@ -12,9 +12,10 @@ import org.hificamsim.presentation.plot.Palette;
  * security policy lets it run only these scripts and load nothing, so that names in the data cannot
  * change what it does.
  *
- * @param title of the window
+ * @param title the title of the window
  * @param module the script of the page
- * @param function that the module exports and that is called with the page's element and the data
+ * @param function the function that the module exports and that is called with the page's element
+ *     and the data
  * @param data JSON
  * @param connections the value of {@code connect-src}: {@code 'none'} for a file
  */

@@ -137,7 +137,7 @@ public final class TradeoffReport {
    * Returns the commands that record the first seed of each network of the fronts, in the study's
    * folder.
    *
-   * @param notation of the commands' settings
+   * @param notation the notation of the commands' settings
    */
   public static List<List<String>> replays(Path folder, NamedSetting.Notation notation)
       throws IOException {

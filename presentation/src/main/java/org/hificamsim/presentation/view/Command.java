@@ -220,7 +220,10 @@ public sealed interface Command {
     }
   }
 
-  /** Rejects missing, unknown and converted values, and nulls except that of a threshold. */
+  /**
+   * The mapper that rejects missing, unknown and converted values, and nulls except that of a
+   * threshold.
+   */
   ObjectMapper STRICT =
       JsonMapper.builder()
           .disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)

@@ -5,7 +5,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
 
-/** The kinds of solid obstacles that somebody can draw, from one place to another one. */
+/** The kinds of solid obstacles that a user can draw between two points. */
 enum DrawnObstacle {
   /** A wall between the two places. */
   WALL {
@@ -38,7 +38,7 @@ enum DrawnObstacle {
   /**
    * Returns the obstacle.
    *
-   * @param height the height of its top, metres; null if nothing can look over it
+   * @param height the height of its top, in metres; null if nothing can look over it
    * @throws InputException if it has no size, or the height is not above 0
    */
   Obstacle obstacle(Point from, Point to, Double height) {

@@ -23,7 +23,7 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Waypoint;
 import org.hificamsim.core.scenario.spec.Zone;
 
-/** A scenario with the changes that somebody has made to it, which can be undone and redone. */
+/** A scenario with the changes that a user has made, which can be undone and redone. */
 final class EditedScenario {
   private static final String ADDED_PREFIX = "added-";
   private static final String ZONE_PREFIX = "zone-";
@@ -213,14 +213,14 @@ final class EditedScenario {
     apply("", current.with(Scenario.ZONES, without(current.zones(), number)));
   }
 
-  /** Makes a site without targets so large that a line drawn on it is this long, metres. */
+  /** Scales a site without targets, so that a line drawn on it has this length, in metres. */
   void scale(Point from, Point to, double metres) {
     double drawn = Math.hypot(to.x() - from.x(), to.y() - from.y());
     apply("", new ScaledSite(metres / drawn).of(current));
   }
 
   /**
-   * Hangs all cameras at another height, metres.
+   * Hangs all cameras at another height, in metres.
    *
    * @throws InputException if the scenario gives no height of all cameras, or this one is wrong
    */
@@ -239,7 +239,7 @@ final class EditedScenario {
   /**
    * Takes cameras that were planned for a site.
    *
-   * @throws InputException if the site is another one now, apart from its cameras
+   * @throws InputException if the site has changed, apart from its cameras
    */
   void usePlan(Scenario site, List<CameraSpec> cameras) {
     if (!withoutCameras(site).equals(withoutCameras(current))) {
@@ -269,7 +269,8 @@ final class EditedScenario {
   /**
    * Returns the scenario without an element, or without the event that adds it.
    *
-   * @param number of the element; those of the start come first, then those that events add
+   * @param number the number of the element; those of the start come first, then those that events
+   *     add
    * @param addition the events that add such elements
    */
   private <T> Scenario without(

@@ -7,7 +7,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.OraclePolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 
-/** A policy that chooses views for all cameras but those that somebody holds in a view. */
+/** A policy that chooses views for all cameras except those that a user holds in a view. */
 final class HeldViews implements ZoomPolicy {
   private final ZoomPolicy policy;
   private final Map<String, Integer> held;
@@ -20,7 +20,7 @@ final class HeldViews implements ZoomPolicy {
   /**
    * Returns a policy by which cameras are held in their views.
    *
-   * @param held by the camera's name: its view; it may change between steps
+   * @param held the view of each camera by its name; it may change between steps
    */
   static ZoomPolicy hold(ZoomPolicy policy, Map<String, Integer> held) {
     return OraclePolicy.wrapping(policy, new HeldViews(policy, held));

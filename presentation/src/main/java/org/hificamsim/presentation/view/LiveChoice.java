@@ -8,7 +8,8 @@ import org.hificamsim.runs.Settings;
  * The detection and policy that are chosen for one of the simulations.
  *
  * @param detection the name of the model
- * @param threshold in [0, 1]; null for that of the scenario or, if it has none, of the model
+ * @param threshold the threshold in [0, 1]; null for that of the scenario or, if it has none, of
+ *     the model
  * @param policy the name of the policy with its options
  */
 public record LiveChoice(String detection, Double threshold, String policy) {

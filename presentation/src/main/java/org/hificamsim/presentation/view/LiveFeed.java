@@ -32,7 +32,7 @@ final class LiveFeed {
 
   private static final String NO_HEAT = "[]";
 
-  /** What pages have to know of one simulation before its steps. */
+  /** The message that describes one simulation before its steps. */
   record SideMessage(Setup setup, String estimated, ObjectiveWords objective) {}
 
   /**

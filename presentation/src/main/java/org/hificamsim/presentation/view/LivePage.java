@@ -21,10 +21,10 @@ public final class LivePage {
   private static final String STANDARD = "oodpcvs-2025";
 
   /**
-   * What can be drawn.
+   * The things that a user can draw.
    *
    * @param kinds the names of the cameras that can be mounted
-   * @param plan whether the page begins with a plan alone, without a simulation
+   * @param plan whether the page begins with only a plan, without a simulation
    * @param scaled whether the plan has its scale already
    */
   public record DrawingTools(List<String> kinds, boolean plan, boolean scaled) {}
@@ -35,7 +35,8 @@ public final class LivePage {
    * The page as HTML.
    *
    * @param scenario name
-   * @param detection that the session starts with; offered in addition to the catalogue's
+   * @param detection the detection that the session starts with; offered in addition to the
+   *     catalogue's
    * @param tools what can be drawn
    */
   public static String html(

@@ -112,7 +112,7 @@ public final class LiveRun {
   /**
    * Turns a camera in every simulation, which takes effect in the next step.
    *
-   * @param heading degrees, 0 is +y and 90 is +x
+   * @param heading the heading in degrees, 0 is +y and 90 is +x
    */
   public void turn(int camera, double heading) {
     scenario.turn(onlineName(camera), heading);
@@ -122,7 +122,7 @@ public final class LiveRun {
 
   /**
    * Begins a heat map of each simulation with the next step, or stops recording. A heat map begins
-   * again whenever somebody changes what cameras see.
+   * again whenever a user changes what cameras see.
    */
   public void recordHeat(boolean on) {
     recordsHeat = on;

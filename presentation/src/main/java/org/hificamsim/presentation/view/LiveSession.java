@@ -24,23 +24,23 @@ public final class LiveSession implements AutoCloseable {
   private static final int MAX_PER_SECOND = 1000;
   private static final int MAX_STEPS = 1000;
 
-  /** The time between two heat maps while the simulation runs, nanoseconds. */
+  /** The time between two heat maps while the simulation runs, in nanoseconds. */
   private static final long HEAT_INTERVAL = TimeUnit.MILLISECONDS.toNanos(500);
 
-  /** The delay up to which late steps are made up for, nanoseconds. */
+  /** The delay up to which late steps are made up for, in nanoseconds. */
   private static final long MAX_DELAY = TimeUnit.MILLISECONDS.toNanos(200);
 
   /**
    * The state of the session.
    *
    * @param next the number of the next step
-   * @param fault why it has stopped; empty unless a policy or model failed
-   * @param held the cameras that somebody holds in a view
+   * @param fault the reason why it has stopped; empty unless a policy or model failed
+   * @param held the cameras that are held in a view by hand
    * @param heat whether a heat map is recorded
-   * @param zones with the share of each that cameras can see
-   * @param plan of cameras that is being made, or was made last; null if there is none
-   * @param mountHeight of all cameras, metres; null if the scenario gives none
-   * @param warning about the edited scenario; may be empty
+   * @param zones the zones with the share of each that cameras can see
+   * @param plan the plan of cameras that is being made, or was made last; null if there is none
+   * @param mountHeight the mount height of all cameras, in metres; null if the scenario gives none
+   * @param warning the warning about the edited scenario; may be empty
    */
   private record StateMessage(
       boolean running,
@@ -109,7 +109,10 @@ public final class LiveSession implements AutoCloseable {
     return CompletableFuture.anyOf(done, end);
   }
 
-  /** Other errors may leave the run inconsistent, so they are not caught and end the session. */
+  /**
+   * Executes a task, and passes its result or exception to whoever waits. Other errors may leave
+   * the run inconsistent, so they are not caught and end the session.
+   */
   private static void attempt(Supplier<Object> task, CompletableFuture<Object> done) {
     try {
       done.complete(task.get());

@@ -29,7 +29,7 @@ final class LiveSide {
    *
    * @param seed the seed of the world and the policies
    * @param next the step that comes next
-   * @param held by the camera's name: a view in which it is held; it may change between steps
+   * @param held the view in which a camera is held, by its name; it may change between steps
    */
   record Shared(
       Catalogue catalogue,
@@ -56,7 +56,7 @@ final class LiveSide {
   private final Simulation simulation;
   private final Detection detection;
 
-  /** Null unless a heat map is recorded. */
+  /** The recorder of the heat map; null unless a map is shown. */
   private HeatRecorder heat;
 
   private long firstHeatStep;

@@ -9,15 +9,15 @@ import org.hificamsim.core.Place;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.runs.RunFault;
 
-/** Plans cameras on a thread of its own, while the session goes on. One plan at a time. */
+/** Plans cameras on a thread of its own, one plan at a time, while the session goes on. */
 final class PlanTask implements Planner.Watcher {
   /**
    * The state of the plan.
    *
    * @param event what happens, or what the last plan meets
-   * @param facts that say more of the last plan
-   * @param share of the work that is done, in [0, 1]
-   * @param fault why there is no plan; empty otherwise
+   * @param facts the facts that say more of the last plan
+   * @param share the share of the work that is done, in [0, 1]
+   * @param fault the reason why there is no plan; empty if there is one or it is being made
    */
   record Message(
       boolean running,
@@ -39,7 +39,7 @@ final class PlanTask implements Planner.Watcher {
   private volatile boolean stopped;
 
   /**
-   * @param changed is told on any thread when the message has changed
+   * @param changed action to run, on any thread, when the message has changed
    */
   PlanTask(Runnable changed) {
     this.changed = changed;

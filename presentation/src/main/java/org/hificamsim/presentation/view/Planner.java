@@ -25,7 +25,7 @@ public interface Planner {
   }
 
   /**
-   * What is to be planned.
+   * The request for a plan.
    *
    * @param amount the number of cameras or the budget; not used to cover everything
    * @param keep whether the cameras that are there stay
@@ -38,26 +38,26 @@ public interface Planner {
    *
    * @param cameras those that stay first
    * @param claim the share that they meet, in words
-   * @param facts that say more, such as the bound
+   * @param facts the facts that say more, such as the bound
    */
   record Plan(List<CameraSpec> cameras, String claim, List<String> facts) {}
 
-  /** Is told how far a plan is, and may end the search. */
+  /** Receives the progress of a plan, and may end the search. */
   interface Watcher {
     /**
      * @param event what happens, in words
-     * @param share of the work that is done, in [0, 1]
+     * @param share the share of the work that is done, in [0, 1]
      */
     void progressed(String event, double share);
 
-    /** Whether somebody wants no more search: the best plan so far is taken, if there is one. */
+    /** Whether the user has ended the search: the best plan so far is taken, if there is one. */
     boolean isStopped();
   }
 
   /**
    * Returns the share of each zone that the cameras can see, each in any of its views.
    *
-   * @param detection of zones that have none of their own
+   * @param detection the detection of zones that have none of their own
    * @throws org.hificamsim.core.InputException if detection is by chance
    */
   List<Share> shares(Scenario scenario, Detection detection);
@@ -75,11 +75,11 @@ public interface Planner {
   List<String> kinds();
 
   /**
-   * A camera that somebody hangs up.
+   * A camera that a user mounts.
    *
    * @param kind its name
-   * @param heading degrees
-   * @param angle of view to which its lens is set, degrees; null for the widest
+   * @param heading the heading in degrees
+   * @param angle the angle of view to which its lens is set, in degrees; null for the widest
    */
   record Mount(String kind, double x, double y, double heading, Double angle) {}
 

@@ -12,9 +12,9 @@ import org.hificamsim.hifi.density.DensityDetections;
 /**
  * A zone as pages show it.
  *
- * @param points metres; see {@link Zone}
- * @param demand what has to be seen there, in words
- * @param facing where faces look that have to be seen, degrees; null for any
+ * @param points the points in metres; see {@link Zone}
+ * @param demand the level that the zone asks for, in words
+ * @param facing the heading of the faces that have to be seen, in degrees; null for any
  * @param met the share of the demand that is met, in [0, 1]; null if it is not known
  */
 record ShownZone(
@@ -28,7 +28,7 @@ record ShownZone(
   /**
    * Returns the zones of a site; the whole field if it has none.
    *
-   * @param shares by zone, the shares that are met; empty if they are not known
+   * @param shares for each zone, the shares that are met; empty if they are not known
    */
   static List<ShownZone> of(Scenario site, Detection usual, List<Planner.Share> shares) {
     List<ShownZone> shown = new ArrayList<>();

@@ -226,7 +226,7 @@ public final class ViewServer implements AutoCloseable {
     return true;
   }
 
-  /** Ends the server after a grace, unless another page has been opened by then. */
+  /** Ends the server after a grace period, unless another page has been opened by then. */
   private synchronized void closePage() {
     openPages--;
     int known = pagesEverOpened;

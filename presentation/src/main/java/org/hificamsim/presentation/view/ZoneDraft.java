@@ -12,8 +12,8 @@ import org.hificamsim.core.scenario.spec.Zone;
  * @param name the name of the zone; empty for any free name
  * @param detection the detection by which cameras must see there
  * @param k the number of cameras that must see there
- * @param facing the direction in which faces look that have to be seen, degrees; null for any
- * @param maxDepression the steepest view down at a face, degrees; null for any
+ * @param facing the heading of the faces that have to be seen, in degrees; null for any
+ * @param maxDepression the steepest view down at a face, in degrees; null for any
  */
 record ZoneDraft(String name, String detection, int k, Double facing, Double maxDepression) {
   private static final int MAX_K = 100;
@@ -24,7 +24,7 @@ record ZoneDraft(String name, String detection, int k, Double facing, Double max
   /**
    * Returns the zone between two opposite corners.
    *
-   * @throws InputException if it has no area, or asks for what makes no sense
+   * @throws InputException if it has no area or an invalid requirement
    */
   Zone between(Point corner, Point opposite) {
     Ranges.within("k", k, 1, MAX_K);

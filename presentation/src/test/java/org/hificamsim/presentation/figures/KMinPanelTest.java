@@ -28,7 +28,7 @@ class KMinPanelTest {
   }
 
   @Test
-  void noteTellsSmoothingAndThinning() {
+  void noteMentionsSmoothingAndThinning() {
     assertEquals("Mean over the runs", KMinPanel.note(19));
     assertEquals("Thick: LOWESS; pale: mean over the runs", KMinPanel.note(250));
     assertTrue(KMinPanel.note(251).contains("in 250 groups of steps"));

@@ -43,14 +43,14 @@ class PolicyColorsTest {
   }
 
   @Test
-  void pagesHaveWordsOfNamesInTheirData() {
+  void pageDataHaveWordsForNames() {
     String script =
         SpokenNames.script("{\"chosen\": \"sarsa | ucb1:c=2\", \"note\": \"a=b c\", \"k\": 1}");
     assertEquals("const SPOKEN = new Map(Object.entries({\"ucb1:c=2\":\"ucb1, c 2\"}));\n", script);
   }
 
   @Test
-  void spellsNames() {
+  void spellsNamesInWords() {
     assertEquals("ORB pinhole law", SpokenNames.of("hifi:orb-pinhole"));
     assertEquals("ORB linear, chapter 5, by chance", SpokenNames.of("hifi:orb-lin-gt@chance"));
     assertEquals("CamSim range, 0.45", SpokenNames.of("camsim-range@0.45"));

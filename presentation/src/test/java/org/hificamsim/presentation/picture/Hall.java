@@ -48,7 +48,7 @@ final class Hall {
   /**
    * Returns a frame of the hall.
    *
-   * @param seeing by camera: the view that it has, -1 while it turns
+   * @param seeing for each camera, the view that it has, -1 while it turns
    * @param present whether the targets are there
    */
   static Frame frame(int step, int[] seeing, boolean present, double[] x, double[] y) {

@@ -8,10 +8,10 @@ import org.hificamsim.core.scenario.spec.Field;
 record Places(Field field) {
   private static final double WIDTH = StepPicture.WIDTH - 2.0 * StepPicture.MARGIN;
 
-  /** The space for numbers at the left, points. */
+  /** The space for numbers at the left, in points. */
   private static final double LEFT_SPACE = 46;
 
-  /** The space above the field, points. */
+  /** The space above the field, in points. */
   private static final double TOP_SPACE = 36;
 
   /** Returns the points per metre of a field that takes the whole width. */

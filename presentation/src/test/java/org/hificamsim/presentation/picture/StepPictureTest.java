@@ -208,7 +208,7 @@ class StepPictureTest {
   }
 
   @Test
-  void stepThatWasNotRecordedIsRefused() {
+  void rejectsStepThatWasNotRecorded() {
     assertEquals(299, run.indexOf("--step", 299));
     String message =
         assertThrows(InputException.class, () -> run.indexOf("--step", 300)).getMessage();

@@ -189,7 +189,7 @@ class FigureFileTest {
   }
 
   @Test
-  void wrongWidthsAreRefused() {
+  void rejectsInvalidWidths() {
     for (String width : List.of("88", "88cm", "39mm", "401mm", "wide")) {
       InputException error = assertThrows(InputException.class, () -> PrintWidth.parse(width));
       assertTrue(error.getMessage().startsWith("figure_width is '" + width + "', expected "));

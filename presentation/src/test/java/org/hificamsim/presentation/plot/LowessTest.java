@@ -19,7 +19,7 @@ class LowessTest {
   }
 
   @Test
-  void mostNoiseIsRemoved() {
+  void removesMostNoise() {
     double[] noisy = line(2000);
     SplittableRandom random = new SplittableRandom(5);
     Arrays.setAll(noisy, i -> noisy[i] + random.nextDouble() - 0.5);

@@ -46,7 +46,7 @@ class FloorPicturesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"none.png", "hall.xml", ".", "cut.png", "\u0000"})
-  void fileThatIsNoPictureIsReportedInOneLine(String name) throws IOException {
+  void reportsFileThatIsNoPictureInOneLine(String name) throws IOException {
     draw(60, 40, "png", "plan.png");
     byte[] whole = Files.readAllBytes(folder.resolve("plan.png"));
     Files.write(folder.resolve("cut.png"), java.util.Arrays.copyOf(whole, 60));
@@ -62,7 +62,7 @@ class FloorPicturesTest {
   }
 
   @Test
-  void wrongPictureInRecordingIsRefused() {
+  void rejectsInvalidPictureInRecording() {
     Field field = new Field(0, 1, 0, 1);
     for (String data : List.of("", "data:image/png;base64,AAAA", "data:image/png;base64,?")) {
       assertThrows(

@@ -26,7 +26,7 @@ class OutlookTest {
   private static final double REACH = 8;
 
   @Test
-  void areaBehindWallIsHidden() {
+  void hidesAreaBehindWall() {
     List<Double> ring = new Outlook(List.of(WALL), FIELD).from(5, 10, Double.NaN, 15);
     Path2D path = path(ring);
     assertTrue(path.contains(9.9, 10) && path.contains(0.1, 10) && path.contains(12, 2));
@@ -121,7 +121,7 @@ class OutlookTest {
     assertFalse(path.contains(0.9, -0.4));
   }
 
-  /** Two pairs of walls cross, at (3, 0) and at (3, 0.5). */
+  /** The two pairs of walls cross at (3, 0) and at (3, 0.5). */
   @Test
   void regionHasCornerWhereWallsCross() {
     assertCorner(3, 0, new Obstacle.Wall(2, -1, 5, 2, 0), new Obstacle.Wall(2, 1, 5, -2, 0));

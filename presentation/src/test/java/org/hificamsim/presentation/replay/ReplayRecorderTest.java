@@ -163,7 +163,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void recordingLeavesOutWhatScenarioDoesNotHave() throws IOException {
+  void recordingOmitsWhatScenarioDoesNotHave() throws IOException {
     record(plan("lattice-random", "zoom-out", 3, 1), ReplayRecorder.Limits.DEFAULT);
     String json = Files.readString(folder.resolve(ResultFolder.REPLAY));
     for (String name :
@@ -195,7 +195,7 @@ class ReplayRecorderTest {
         "{\"format\":\"hificamsim-replay-0\",\"repeat\":1,\"setup\":null,\"runs\":[]}",
         ""
       })
-  void otherFileIsRefusedByName(String text) throws IOException {
+  void rejectsOtherFileByName(String text) throws IOException {
     Files.writeString(folder.resolve(ResultFolder.REPLAY), text);
     InputException refused = assertThrows(InputException.class, () -> Replay.read(folder));
     assertTrue(refused.getMessage().contains("replay.json"), refused.getMessage());
@@ -210,7 +210,7 @@ class ReplayRecorderTest {
         "\"kind\":\"wall\"|\"kind\":\"door\"",
         "\"radius\":0.8|\"radius\":-1",
       })
-  void inconsistentPoseIsRefusedInOneLine(String change) throws IOException {
+  void rejectsInconsistentPoseInOneLine(String change) throws IOException {
     Path hall = SCENARIOS.resolveSibling("src/test/resources/seen/hall.xml");
     record(plan(hall, "zoom-out", 3, 1), ReplayRecorder.Limits.DEFAULT);
     Path file = folder.resolve(ResultFolder.REPLAY);
@@ -224,7 +224,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void dataThatEndEarlyAreRefused() throws IOException {
+  void rejectsTruncatedData() throws IOException {
     record(plan("lattice-random", "sarsa", 50, 1), ReplayRecorder.Limits.DEFAULT);
     Path file = folder.resolve(ResultFolder.REPLAY);
     Files.writeString(file, Files.readString(file).replaceFirst("\"frames\":50", "\"frames\":49"));

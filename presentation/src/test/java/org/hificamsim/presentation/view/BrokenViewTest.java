@@ -30,7 +30,7 @@ import org.junit.jupiter.api.Timeout;
 /** Tests the server when clients block it, and when the simulation fails. */
 @Timeout(60)
 class BrokenViewTest {
-  /** Much less than the time that an incomplete request may take. */
+  /** A time far below the one that an incomplete request may take. */
   private static final Duration SOON = Duration.ofSeconds(4);
 
   private static final int INCOMPLETE_REQUESTS = 100;
@@ -91,7 +91,7 @@ class BrokenViewTest {
   }
 
   @Test
-  void failedCommandIsReportedAndSessionGoesOn() throws Exception {
+  void reportsFailedCommandAndContinuesSession() throws Exception {
     HttpResponse<String> answer =
         command(
             "choose\",\"side\":0,\"detection\":\"geometric\",\"threshold\":null,\"policy\":\"unready");
@@ -119,7 +119,7 @@ class BrokenViewTest {
   }
 
   @Test
-  void commandsAreRefusedAfterSessionIsClosed() {
+  void rejectsCommandsAfterSessionIsClosed() {
     session.close();
     assertThrows(
         ExecutionException.class,

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Drawing a site: obstacles, zones, its scale, and plans. */
+/** Tests edits of a scenario: obstacles, zones, the scale, and plans. */
 class EditedScenarioTest {
   private static final CameraSpec CAMERA = new CameraSpec("A", 1, 2, 5);
 
@@ -49,7 +49,7 @@ class EditedScenarioTest {
     "PILLAR, 1, 3, 1, 1, 1, the pillar hits a camera",
     "WALL, 3, 3, 21, 3, 1, in the field"
   })
-  void rejectsSenselessObstacles(
+  void rejectsInvalidObstacles(
       DrawnObstacle shape,
       double x1,
       double y1,
@@ -84,7 +84,7 @@ class EditedScenarioTest {
   }
 
   @Test
-  void scalesPlacesButNoHeights() {
+  void scalesPlacesButNotHeights() {
     site.addObstacle(DrawnObstacle.SHELF, new Point(5, 7), new Point(9, 8), 1.8);
     site.addObstacle(DrawnObstacle.PILLAR, new Point(15, 5), new Point(15.4, 5), 2.5);
     site.addZone(zone("till", null, null));

@@ -162,7 +162,7 @@ class LiveRunTest {
   }
 
   @Test
-  void stepAfterComparingHasAllPoses() {
+  void firstStepAfterComparingHasAllPoses() {
     LiveRun live = live("cluster-random", 0);
     steps(live, 2);
     live.drag(2, 0, 0);
@@ -282,7 +282,7 @@ class LiveRunTest {
     "NaN, 0, 0, 0, in the field",
     "0, Infinity, 0, 0, in the field"
   })
-  void wrongWallsAreRefused(double x1, double y1, double x2, double y2, String expected) {
+  void rejectsInvalidWalls(double x1, double y1, double x2, double y2, String expected) {
     LiveRun live = live("ring-random", 0);
     Scenario before = live.scenario();
     InputException refused =
@@ -294,7 +294,7 @@ class LiveRunTest {
   }
 
   @Test
-  void camerasInWallsAreRefused() {
+  void rejectsCamerasInWalls() {
     LiveRun live = live("ring-random", 0);
     CameraSpec first = live.scenario().cameras().get(0);
     assertThrows(
@@ -363,7 +363,7 @@ class LiveRunTest {
   }
 
   @Test
-  void warningTellsBlockedTargetUntilWallIsRemoved() {
+  void warnsOfBlockedTargetUntilWallIsRemoved() {
     LiveRun live = live("cluster-scripted", 0);
     assertEquals("", live.warning());
     TargetSpec target = live.scenario().everyTarget().findFirst().orElseThrow();
@@ -440,7 +440,7 @@ class LiveRunTest {
   }
 
   @Test
-  void thresholdInNameOfDetectionComesFirst() {
+  void thresholdInNameOfDetectionOverridesOthers() {
     LiveRun live = live("cluster-random", 0);
     live.choose(0, new LiveChoice("geometric@0.25", 0.5, "zoom-out"));
     assertEquals(0.25, live.sides().get(0).setup().threshold());
@@ -485,7 +485,7 @@ class LiveRunTest {
         "geometric | | best-fixed | cannot be viewed live",
         "scenarios/model.json | | zoom-out | unknown detection 'scenarios/model.json'",
       })
-  void wrongChoicesAreRefused(String detection, Double threshold, String policy, String expected) {
+  void rejectsInvalidChoices(String detection, Double threshold, String policy, String expected) {
     LiveRun live = live("cluster-random", 0);
     InputException wrong =
         assertThrows(
@@ -497,7 +497,7 @@ class LiveRunTest {
 
   @ParameterizedTest
   @CsvSource({"-1,0,0", "99,0,0", "0,1e9,0", "0,NaN,0", "0,0,Infinity"})
-  void wrongPlacesAreRefused(int camera, double x, double y) {
+  void rejectsInvalidPlaces(int camera, double x, double y) {
     LiveRun live = live("cluster-random", 0);
     assertThrows(InputException.class, () -> live.drag(camera, x, y));
   }

@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit;
 import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.Test;
 
-/** Planning in the background. */
+/** Tests planning in the background. */
 class PlanTaskTest {
   private static final Planner.Plan PLAN =
       new Planner.Plan(List.of(), "all is met", List.of("proven"));

@@ -84,7 +84,7 @@ class ViewServerTest {
   }
 
   @Test
-  void addressWithTokenGetsPage() throws Exception {
+  void servesPageAtAddressWithToken() throws Exception {
     HttpResponse<String> page = get(address);
     assertEquals(200, page.statusCode());
     assertEquals("<p>the page</p>", page.body());
@@ -105,14 +105,14 @@ class ViewServerTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"/", "/events", "/command", "/0123/", "/%2e%2e/", "/favicon.ico"})
-  void requestsWithoutTokenAreRefused(String path) throws Exception {
+  void rejectsRequestsWithoutToken(String path) throws Exception {
     HttpResponse<String> answer = get(address.resolve(path));
     assertEquals(403, answer.statusCode());
     assertEquals("refused: no token\n", answer.body());
   }
 
   @Test
-  void similarTokensAreRefused() throws Exception {
+  void rejectsSimilarTokens() throws Exception {
     String token = address.getPath().substring(1, address.getPath().length() - 1);
     String last = token.endsWith("0") ? "1" : "0";
     String similar = token.substring(0, token.length() - 1) + last;
@@ -131,7 +131,7 @@ class ViewServerTest {
         "127.0.0.1:PORT\r\nHost: a.b",
         ""
       })
-  void requestsToOtherHostsAreRefused(String host) throws Exception {
+  void rejectsRequestsToOtherHosts(String host) throws Exception {
     String ownHost = host.replace("PORT", Integer.toString(address.getPort()));
     String request = "GET " + address.getPath() + " HTTP/1.1\r\nHost: " + ownHost + "\r\n\r\n";
     String status = raw(request);
@@ -147,14 +147,14 @@ class ViewServerTest {
     "http://localhost:PORT, 403",
     "http://127.0.0.1:PORT, 204",
   })
-  void commandsOfOtherOriginsAreRefused(String origin, int status) throws Exception {
+  void rejectsCommandsOfOtherOrigins(String origin, int status) throws Exception {
     String ownOrigin = origin.replace("PORT", Integer.toString(address.getPort()));
     HttpRequest.Builder request = post("{\"command\":\"pause\"}").setHeader("Origin", ownOrigin);
     assertEquals(status, send(request).statusCode());
   }
 
   @Test
-  void commandsWithoutOriginAndStreamsOfOtherSitesAreRefused() throws Exception {
+  void rejectsCommandsWithoutOriginAndStreamsOfOtherSites() throws Exception {
     HttpRequest.Builder bare =
         HttpRequest.newBuilder(address.resolve("command"))
             .header("Content-Type", "application/json")
@@ -204,7 +204,7 @@ class ViewServerTest {
         "{\"command\":\"choose\",\"side\":0,\"detection\":\"/etc/passwd\",\"threshold\":null,\"policy\":\"zoom-out\"}"
             + " | unknown detection '/etc/passwd'",
       })
-  void wrongCommandIsReportedInOneLine(String body, String expected) throws Exception {
+  void reportsInvalidCommandInOneLine(String body, String expected) throws Exception {
     HttpResponse<String> answer = send(post(body));
     assertEquals(400, answer.statusCode(), answer.body());
     assertEquals(1, answer.body().lines().count(), answer.body());
@@ -214,7 +214,7 @@ class ViewServerTest {
   }
 
   @Test
-  void largeBodiesAndOtherTypesAreRefused() throws Exception {
+  void rejectsLargeBodiesAndOtherTypes() throws Exception {
     assertEquals(413, send(post(" ".repeat(5000))).statusCode());
     HttpRequest.Builder form =
         post("{\"command\":\"pause\"}").setHeader("Content-Type", "text/plain");
@@ -225,7 +225,7 @@ class ViewServerTest {
 
   @ParameterizedTest
   @CsvSource({"POST,''", "GET,command", "POST,events", "GET,other", "PUT,command", "GET,../../x"})
-  void otherRequestsAreNotFound(String method, String path) throws Exception {
+  void answersOtherRequestsWithNotFound(String method, String path) throws Exception {
     HttpRequest.Builder request =
         HttpRequest.newBuilder(URI.create(address + path))
             .header("Origin", origin())
@@ -248,7 +248,7 @@ class ViewServerTest {
   }
 
   @Test
-  void halfOpenConnectionsAreLimited() throws Exception {
+  void limitsNumberOfHalfOpenConnections() throws Exception {
     assertEquals(204, send(post("{\"command\":\"pause\"}")).statusCode());
     List<Socket> halfOpen = new ArrayList<>();
     for (int i = 0; i < 150; i++) {
@@ -332,7 +332,7 @@ class ViewServerTest {
   }
 
   @Test
-  void openPagesAreLimited() throws Exception {
+  void limitsNumberOfOpenPages() throws Exception {
     Page[] pages = new Page[8];
     for (int i = 0; i < pages.length; i++) {
       pages[i] = new Page();
@@ -364,7 +364,7 @@ class ViewServerTest {
   }
 
   @Test
-  void portInUseIsReported() {
+  void reportsPortInUse() {
     InputException error =
         assertThrows(
             InputException.class, () -> new ViewServer(session, "", address.getPort(), GRACE));
