@@ -1,2 +1,2 @@
-/** From photos to fitted detection models: chapters 3 to 6 as a tool. */
+/** Fits detection models to photos, as chapters 3 to 6 do. */
 package org.hificamsim.profiling;

@@ -19,7 +19,7 @@ public final class SmallLab {
 
   private SmallLab() {}
 
-  /** Settings with the default imperfections. */
+  /** Returns settings with the default imperfections. */
   public static LabSettings settings(
       long seed, double scale, List<Double> focalLengths, List<Double> distances, int objects) {
     return new LabSettings(

@@ -1,7 +1,7 @@
 package org.hificamsim.profiling.boxes;
 
 /**
- * A rectangle in a picture, pixels.
+ * A rectangle in a picture, in pixels.
  *
  * @param left distance from the picture's left edge
  * @param top distance from its upper edge, downwards

@@ -6,7 +6,7 @@ import org.hificamsim.core.Texts;
 
 /** The ranges of height and hidden share that tables and pictures have. */
 final class BoxBins {
-  /** Boxes of which no more is hidden count as not hidden. */
+  /** The greatest hidden share of a box that counts as not hidden. */
   static final double NOT_HIDDEN = 0.05;
 
   private static final double[] HIDDEN = {-1, NOT_HIDDEN, 0.25, 0.5, 0.75, 2};

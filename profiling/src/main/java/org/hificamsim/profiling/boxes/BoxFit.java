@@ -20,9 +20,10 @@ import org.hificamsim.profiling.fit.Reliability;
  *
  * @param form the simplest form that is as good as the best on unseen people
  * @param curve the curve of that form, fitted to all boxes
- * @param unseenPeople by form, the reliability of its chances for boxes of unseen people
+ * @param unseenPeople for each form, the reliability of its chances for boxes of unseen people
  * @param unseenRecordings the same for unseen recordings; empty if there is one recording
- * @param unseenTenths by form of a model, the same with a tenth of the people left out at a time
+ * @param unseenTenths for each form of a model, the same with a tenth of the people left out at a
+ *     time
  * @param rejected whether the model is not surely better than a constant on unseen people
  */
 public record BoxFit(

@@ -14,7 +14,7 @@ import org.hificamsim.profiling.check.Calibration.Size;
  *
  * @param name the name in tables
  * @param picture the size of the picture, if it is known
- * @param frames by number, from the first that has a label to the last
+ * @param frames the frames by number, from the first that has a label to the last
  * @param outside the number of detections before the first labelled frame or after the last
  */
 public record BoxRecording(

@@ -33,10 +33,14 @@ final class FoundFit {
   private static final double LEAST_CHANCE = 1e-9;
   private static final int PARAMETERS = 6;
 
-  /** Keeps the intercept finite where everybody was found, or nobody. */
+  /**
+   * The weight of even odds, which keeps the intercept finite if everybody was found, or nobody.
+   */
   private static final double PULL_TO_EVEN_ODDS = 0.01;
 
-  /** The bounds of all parameters but the intercept: height, hidden, floor, 1 - ceiling, width. */
+  /**
+   * The bounds of all parameters except the intercept: height, hidden, floor, 1 - ceiling, width.
+   */
   private static final List<Bounded> BOUNDS =
       List.of(
           new Bounded(1e-3, 20),

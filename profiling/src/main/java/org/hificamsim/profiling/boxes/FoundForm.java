@@ -9,12 +9,12 @@ enum FoundForm {
   HEIGHT(Part.HEIGHT),
   HIDDEN(Part.HIDDEN),
   BOTH(Part.HEIGHT, Part.HIDDEN),
-  /** The largest boxes are not always found. */
+  /** A form in which even the largest boxes are not always found. */
   BOTH_WITH_CEILING(Part.HEIGHT, Part.HIDDEN, Part.CEILING),
-  /** The smallest boxes are sometimes found. */
+  /** A form in which even the smallest boxes are sometimes found. */
   BOTH_WITH_FLOOR(Part.HEIGHT, Part.HIDDEN, Part.FLOOR),
   BOTH_WITH_LIMITS(Part.HEIGHT, Part.HIDDEN, Part.FLOOR, Part.CEILING),
-  /** Wider boxes of the same height are found more surely. */
+  /** A form in which wider boxes of the same height are found more surely. */
   WIDTH(Part.HEIGHT, Part.HIDDEN, Part.WIDTH),
   WIDTH_WITH_CEILING(Part.HEIGHT, Part.HIDDEN, Part.WIDTH, Part.CEILING),
   WIDTH_WITH_FLOOR(Part.HEIGHT, Part.HIDDEN, Part.WIDTH, Part.FLOOR),

@@ -27,14 +27,14 @@ import org.hificamsim.profiling.check.Calibration.Size;
 
 /**
  * A recording by a calibrated camera as a scenario: its people stand where their boxes stand by the
- * calibration, before a pinhole camera at the height and tilt of the real one. Nothing else is
- * taken from the boxes, neither their height nor who hides whom.
+ * calibration, before a pinhole camera at the height and tilt of the real one. It uses nothing else
+ * of the boxes: neither their heights nor who hides whom.
  */
 public final class SimulatedRecording {
-  /** Field around the people, metres. */
+  /** The width of the field around the people, in metres. */
   private static final double MARGIN = 10;
 
-  /** The farthest that a camera is asked to see, metres. */
+  /** The greatest distance at which a camera has to see, in metres. */
   private static final double REACH = 1000;
 
   /**
@@ -59,7 +59,7 @@ public final class SimulatedRecording {
    * Places the people of one measured recording.
    *
    * @param file the file of the labels, for error messages
-   * @param body the assumed size of people, metres
+   * @param body the assumed size of people, in metres
    */
   public SimulatedRecording(Path file, MeasuredBoxes measured, Calibration camera, Size body) {
     this.camera = camera;

@@ -24,7 +24,7 @@ record UnseenChances(String parts, List<PersonBox> boxes, Map<FoundForm, double[
   private static final int TENTHS = 10;
   private static final List<FoundForm> ALL = List.of(FoundForm.values());
 
-  /** Leaves out whole recordings, of which there must be two. */
+  /** Leaves out whole recordings; there have to be at least two. */
   static UnseenChances withoutRecordings(MeasuredBoxes measured) {
     return of("recordings", ALL, List.copyOf(byRecording(measured).values()));
   }

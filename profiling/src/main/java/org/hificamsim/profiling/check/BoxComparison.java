@@ -8,7 +8,7 @@ import org.hificamsim.profiling.check.MotSightings.Sighting;
 /**
  * A sighting with the predictions of its size.
  *
- * @param distance from camera to target over the ground, metres
+ * @param distance the distance from camera to target over the ground, in metres
  * @param footError the distance between the projected foot of the target and that of its box,
  *     pixels
  * @param predicted the size that each rung predicts

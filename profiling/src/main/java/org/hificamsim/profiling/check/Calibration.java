@@ -23,7 +23,7 @@ import org.hificamsim.tracks.ground.MatrixFile;
  * @param down the second row
  * @param along the third row: the direction that the camera looks in
  * @param lens the distortion of the lens
- * @param picture the size of the picture, pixels
+ * @param picture the size of the picture, in pixels
  */
 public record Calibration(
     Vector3D across, Vector3D down, Vector3D along, Vector3D shift, Lens lens, Size picture) {
@@ -33,20 +33,20 @@ public record Calibration(
    * The lens and the sensor by Tsai's method (R. Tsai, IEEE J. Robotics and Automation 3(4), 1987)
    * with one coefficient of radial distortion.
    *
-   * @param focal the focal length, millimetres
+   * @param focal the focal length, in millimetres
    * @param kappa1 the radial distortion, per square millimetre: what the lens shows at radius r, a
    *     pinhole would show at r (1 + kappa1 r^2)
-   * @param dpx width of a pixel, millimetres
-   * @param dpy height of a pixel, millimetres
+   * @param dpx width of a pixel, in millimetres
+   * @param dpy height of a pixel, in millimetres
    * @param sx the horizontal scale factor
-   * @param cx the column of the picture's centre, pixels
-   * @param cy the row of the picture's centre, pixels
+   * @param cx the column of the picture's centre, in pixels
+   * @param cy the row of the picture's centre, in pixels
    */
   record Lens(
       double focal, double kappa1, double dpx, double dpy, double sx, double cx, double cy) {
     private static final Lens STRAIGHT = new Lens(1, 0, 1, 1, 1, 0, 0);
 
-    /** Newton's method usually needs about five steps. */
+    /** The greatest number of steps of Newton's method, which usually needs about five. */
     private static final int MAX_NEWTON_STEPS = 30;
 
     /** Returns where the lens shows what a pinhole shows at a pixel; NaN if it does not show it. */
@@ -94,7 +94,7 @@ public record Calibration(
     /** The position of a point that the picture does not show. */
     private static final Pixel NONE = new Pixel(Double.NaN, Double.NaN);
 
-    /** Returns the distance to another position, pixels. */
+    /** Returns the distance to another position, in pixels. */
     double distance(Pixel other) {
       return Math.hypot(u - other.u, v - other.v);
     }
@@ -154,7 +154,7 @@ public record Calibration(
    * A camera without distortion.
    *
    * @param p the camera matrix, row by row, in any scale; 12 numbers
-   * @param metres the length of a unit of its world, metres
+   * @param metres the length of a unit of its world, in metres
    * @throws InputException when the matrix is singular
    */
   static Calibration matrix(double[] p, double metres, Size picture) {
@@ -181,8 +181,8 @@ public record Calibration(
   /**
    * Returns a camera by Tsai's method: its coordinates of x are R x + T, with R = Rz Ry Rx.
    *
-   * @param angles rx, ry and rz, radians
-   * @param shift T, metres
+   * @param angles rx, ry and rz, in radians
+   * @param shift T, in metres
    */
   static Calibration tsai(Vector3D angles, Vector3D shift, Lens lens, Size picture) {
     double[][] r =
@@ -229,7 +229,7 @@ public record Calibration(
         : Pixel.NONE;
   }
 
-  /** Returns the position of the camera, metres. */
+  /** Returns the position of the camera, in metres. */
   public Vector3D position() {
     return solve(shift.negate());
   }
@@ -240,7 +240,7 @@ public record Calibration(
   }
 
   /**
-   * Returns the point of the ground at a pixel, metres; NaN above the horizon.
+   * Returns the point of the ground at a pixel, in metres; NaN above the horizon.
    *
    * @param u pixels to the right of the picture's left edge
    * @param v pixels down from its upper edge

@@ -7,8 +7,8 @@ import org.hificamsim.core.Spelling;
 /**
  * The errors of predictions in a band of distances, as shares of the measured sizes.
  *
- * @param from the least distance of the band, metres
- * @param to the distance at which the next band begins, metres
+ * @param from the least distance of the band, in metres
+ * @param to the distance at which the next band begins, in metres
  * @param boxes the number of boxes
  * @param median the median of the absolute errors
  * @param ninety the absolute error that nine in ten boxes do not exceed

@@ -17,7 +17,7 @@ public final class MotSightings {
   /**
    * A target's box in the picture, and its position on the ground.
    *
-   * @param foot the position on the ground, metres
+   * @param foot the position on the ground, in metres
    */
   public record Sighting(MotFile.Row box, Vector3D foot) {
     Size size() {
@@ -41,7 +41,7 @@ public final class MotSightings {
   /**
    * Reads a file.
    *
-   * @param metresPerUnit the length of a unit of its world positions, metres
+   * @param metresPerUnit the length of a unit of its world positions, in metres
    * @throws InputException if the file is wrong, with line and column, or has no box to compare
    */
   public MotSightings(Path file, Calibration camera, double metresPerUnit) {

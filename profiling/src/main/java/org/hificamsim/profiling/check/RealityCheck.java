@@ -26,7 +26,7 @@ public final class RealityCheck {
   /**
    * Compares sightings with predictions.
    *
-   * @param body the assumed size of targets, metres
+   * @param body the assumed size of targets, in metres
    * @throws InputException when there are no sightings or they do not fit the calibration
    */
   public static RealityCheck of(List<Sighting> sightings, Calibration camera, Size body) {
@@ -88,7 +88,8 @@ public final class RealityCheck {
   }
 
   /**
-   * Returns the median distance between the projected foot of a target and that of its box, pixels.
+   * Returns the median distance between the projected foot of a target and that of its box, in
+   * pixels.
    */
   public double footError() {
     return median(comparisons.stream().mapToDouble(BoxComparison::footError).toArray());

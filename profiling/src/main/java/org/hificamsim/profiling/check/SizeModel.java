@@ -55,7 +55,7 @@ enum SizeModel {
   /** Predicts the box of a target that stands at {@code foot}, in pixels. */
   abstract Size size(Calibration camera, Vector3D foot, Size body);
 
-  /** Returns the distance between camera and target over the ground, metres. */
+  /** Returns the distance between camera and target over the ground, in metres. */
   static double distance(Calibration camera, Vector3D foot) {
     return Math.hypot(
         foot.getX() - camera.position().getX(), foot.getY() - camera.position().getY());

@@ -27,7 +27,7 @@ final class TsaiFile extends PlainXml {
   /**
    * Reads the camera and the size of its picture.
    *
-   * @param metres the length of a unit of its world, metres
+   * @param metres the length of a unit of its world, in metres
    * @param givenSize the size of the picture; must equal that of the file, if it has one
    */
   Calibration read(Path file, double metres, Optional<Size> givenSize) {

@@ -7,7 +7,7 @@ import java.util.Map;
 /**
  * Photos of objects with the physical properties of each (thesis 3.5).
  *
- * @param samples in the order of the table
+ * @param samples the samples in the order of the table
  * @param templates the close-up of each object, by the object's name
  * @param negatives photos without any of the objects
  */

@@ -9,9 +9,9 @@ import java.util.Optional;
  * @param image the picture's name in the table
  * @param file the picture file
  * @param object the object's name
- * @param size q, metres
- * @param distance d, metres
- * @param focalLength z, metres
+ * @param size q, in metres
+ * @param distance d, in metres
+ * @param focalLength z, in metres
  * @param patch the rectangle around the object
  * @param mask a picture whose pixels are not 0 on the object
  */

@@ -1,6 +1,6 @@
 package org.hificamsim.profiling.dataset;
 
-/** The rectangle of a picture that holds the object, pixels; width and height are 1 or more. */
+/** The rectangle of a picture that holds the object, in pixels; width and height are 1 or more. */
 public record Patch(int x, int y, int width, int height) {
   /** Returns the number of pixels. */
   public long area() {

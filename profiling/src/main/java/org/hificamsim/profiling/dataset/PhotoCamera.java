@@ -6,10 +6,10 @@ import org.hificamsim.hifi.json.JsonFile;
 /**
  * The camera that took the pictures of a data set ({@code camera.json}).
  *
- * @param sensorWidth metres
- * @param sensorHeight metres
- * @param width the width of pictures in landscape orientation, pixels
- * @param height the height of pictures in landscape orientation, pixels
+ * @param sensorWidth the sensor width in metres
+ * @param sensorHeight the sensor height in metres
+ * @param width the width of pictures in landscape orientation, in pixels
+ * @param height the height of pictures in landscape orientation, in pixels
  */
 public record PhotoCamera(double sensorWidth, double sensorHeight, int width, int height) {
   private static final int MAX_PIXELS = 100_000;

@@ -24,7 +24,7 @@ public enum MatchReading {
   private static final int POINTS_OF_A_HOMOGRAPHY = 4;
 
   /**
-   * The largest distance of an inlier from its position under the homography, pixels; OpenCV's
+   * The largest distance of an inlier from its position under the homography, in pixels; OpenCV's
    * default.
    */
   private static final double MAX_INLIER_DISTANCE = 3;

@@ -41,7 +41,7 @@ final class OnnxDetector implements BoxDetector {
    * A network with its options: {@code onnx:FILE[:class=N][:size=N][:threshold=X]}.
    *
    * @param category the index of the class to find, from 0
-   * @param size the width and height of its input, pixels
+   * @param size the width and height of its input, in pixels
    * @param threshold the least score that counts, [0, 1]
    */
   record Network(Path file, int category, int size, double threshold) {

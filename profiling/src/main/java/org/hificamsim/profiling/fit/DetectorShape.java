@@ -114,7 +114,7 @@ public record DetectorShape(String name, BiFunction<double[], double[], Detector
     return parameters[0] + parameters[1] * (1 - remainingShare);
   }
 
-  /** Fits the Hill curve: floor, rise, half and exponent, all but the floor above 0. */
+  /** Fits the Hill curve: floor, rise, half and exponent, all above 0 except the floor. */
   private static HillCurve hill(double[] pip, double[] confidence) {
     List<double[]> starts = new ArrayList<>();
     for (double half : shares(pip)) {

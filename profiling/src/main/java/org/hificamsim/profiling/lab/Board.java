@@ -10,7 +10,7 @@ import org.opencv.core.Point;
  * @param round whether it is an ellipse instead of a rectangle
  * @param x the centre, metres to the right of the optical axis
  * @param y the centre, metres below the optical axis
- * @param distance the distance of the centre, metres
+ * @param distance the distance of the centre, in metres
  * @param pose the rotation
  */
 record Board(
@@ -22,7 +22,7 @@ record Board(
     double y,
     double distance,
     Pose pose) {
-  /** Rotations about the vertical, the horizontal and the optical axis, radians. */
+  /** Rotations about the vertical, the horizontal and the optical axis, in radians. */
   record Pose(double yaw, double pitch, double roll) {
     static final Pose FRONTAL = new Pose(0, 0, 0);
   }

@@ -3,9 +3,9 @@ package org.hificamsim.profiling.lab;
 /**
  * A thin lens focused at one distance; gives the width of the image of a point.
  *
- * @param focalLength z, metres
+ * @param focalLength z, in metres
  * @param aperture f-number N; 0 for a pinhole, which is sharp everywhere
- * @param focus the distance at which the image is sharp, metres, above the focal length
+ * @param focus the distance at which the image is sharp, in metres, above the focal length
  */
 record FocusedLens(double focalLength, double aperture, double focus) {
   private static final double WAVELENGTH = 550e-9;
@@ -26,7 +26,7 @@ record FocusedLens(double focalLength, double aperture, double focus) {
         / Math.max(focus - focalLength, 1e-3);
   }
 
-  /** Returns the standard deviation of diffraction on the sensor, metres: 0.42 wavelength N. */
+  /** Returns the standard deviation of diffraction on the sensor, in metres: 0.42 wavelength N. */
   double diffraction() {
     return 0.42 * WAVELENGTH * aperture;
   }

@@ -7,7 +7,7 @@ import java.util.List;
  * thesis 3.5's 0.10 to 0.66 m with the mean 0.31 m and standard deviation 0.20 m of Table 4.1.
  *
  * @param name the short name in files
- * @param size width, metres
+ * @param size width, in metres
  * @param aspect height over width
  * @param round whether it is an ellipse instead of a rectangle
  * @param photo the name of the photograph on it
@@ -24,7 +24,7 @@ record LabObject(String name, double size, double aspect, boolean round, String 
           new LabObject("tray", 0.52, 1.0, true, "raccoon"),
           new LabObject("poster", 0.66, 0.95, false, "astronaut"));
 
-  /** Returns the size q of thesis 3.5, metres: the root of width times height. */
+  /** Returns the size q of thesis 3.5, in metres: the root of width times height. */
   double q() {
     return Math.sqrt(size * height());
   }

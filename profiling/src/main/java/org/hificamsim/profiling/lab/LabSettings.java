@@ -9,8 +9,8 @@ import java.util.List;
  *
  * @param seed the seed of all random numbers
  * @param scale image width as a share of the sensor's 5184 pixels, (0, 1]
- * @param focalLengths the focal lengths, metres
- * @param distances the distances from the camera to the object's centre, metres
+ * @param focalLengths the focal lengths, in metres
+ * @param distances the distances from the camera to the object's centre, in metres
  * @param objects the number of objects, of the eight taken from the smallest
  * @param optics the lens and the sensor
  * @param scene the surroundings, pose and lighting of the object
@@ -38,7 +38,7 @@ public record LabSettings(
   /**
    * The scene's disorder.
    *
-   * @param pose standard deviation of the object's yaw and pitch, degrees; roll has half of it
+   * @param pose standard deviation of the object's yaw and pitch, in degrees; roll has half of it
    * @param offset the largest distance of the object from the centre, as a share of the frame
    * @param lighting standard deviation of the brightness, as a share of it
    * @param clutter number of things in the room behind the object

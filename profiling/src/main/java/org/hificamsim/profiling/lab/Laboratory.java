@@ -53,7 +53,7 @@ public final class Laboratory {
   /**
    * Renders all pictures. The same settings give the same files on any number of threads.
    *
-   * @param progress called once per picture, possibly from several threads
+   * @param progress action to run once per picture, possibly on several threads
    */
   public PhotoCount render(Path folder, int threads, Runnable progress) {
     OpenCv.load();
@@ -128,7 +128,7 @@ public final class Laboratory {
             .with("patch_height", row -> row.patch.height)
             .with("mask", row -> mask(row.shot));
 
-    /** Writes each property on a line, and each list on one line. */
+    /** The writer that puts each property on a line, and each list on one line. */
     private static final ObjectWriter JSON =
         new ObjectMapper()
             .writer(
@@ -186,8 +186,8 @@ public final class Laboratory {
    * A picture to take.
    *
    * @param index the number of the picture from 0, which determines its random seed
-   * @param focalLength z, metres
-   * @param distance d, metres
+   * @param focalLength z, in metres
+   * @param distance d, in metres
    */
   record Shot(int index, LabObject object, double focalLength, double distance) {
     /** Returns every combination of object, focal length and distance. */

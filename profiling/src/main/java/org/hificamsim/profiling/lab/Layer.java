@@ -30,7 +30,7 @@ final class Layer {
   /**
    * Paints a board.
    *
-   * @param blur the diameter of the disc to which a point is blurred, pixels
+   * @param blur the diameter of the disc to which a point is blurred, in pixels
    */
   void paint(Board board, double blur) {
     Point[] corners = board.corners(camera);
@@ -152,7 +152,7 @@ final class Layer {
     return new Rect(x, y, Math.max(0, endX - x), Math.max(0, endY - y));
   }
 
-  /** Returns the length of the board's longest edge on the canvas, pixels. */
+  /** Returns the length of the board's longest edge on the canvas, in pixels. */
   private static double span(Point[] corners) {
     double widest = 0;
     for (int i = 0; i < CORNERS; i++) {

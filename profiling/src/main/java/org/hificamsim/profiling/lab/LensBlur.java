@@ -21,7 +21,7 @@ final class LensBlur {
   /**
    * Blurs an image in place.
    *
-   * @param diameter the diameter of the disc, pixels; below half a pixel the image is unchanged
+   * @param diameter the diameter of the disc, in pixels; below half a pixel the image is unchanged
    */
   static void apply(Mat image, double diameter) {
     if (diameter < 0.5) {

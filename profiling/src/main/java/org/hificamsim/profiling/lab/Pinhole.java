@@ -7,10 +7,10 @@ import org.opencv.core.Size;
  * A pinhole camera (thesis 3.3) with a margin around its frame, since lens distortion may move
  * parts of the margin into view.
  *
- * @param focalLength z, metres
- * @param width the width of the frame without the margin, pixels
- * @param height the height of the frame without the margin, pixels
- * @param margin the margin on each side, pixels
+ * @param focalLength z, in metres
+ * @param width the width of the frame without the margin, in pixels
+ * @param height the height of the frame without the margin, in pixels
+ * @param margin the margin on each side, in pixels
  */
 record Pinhole(
     double focalLength,
@@ -19,7 +19,7 @@ record Pinhole(
     int width,
     int height,
     int margin) {
-  /** Returns the size of the canvas including the margin, pixels. */
+  /** Returns the size of the canvas including the margin, in pixels. */
   Size canvas() {
     return new Size(width + 2.0 * margin, height + 2.0 * margin);
   }

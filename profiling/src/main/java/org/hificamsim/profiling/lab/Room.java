@@ -80,7 +80,7 @@ final class Room implements AutoCloseable {
    * The far wall of the room: value noise in several octaves that is fixed to the wall, so that
    * zooming in shows finer detail.
    *
-   * @param distance the distance of the wall, metres
+   * @param distance the distance of the wall, in metres
    * @param seed the seed of its pattern
    */
   record Backdrop(double distance, long seed) {

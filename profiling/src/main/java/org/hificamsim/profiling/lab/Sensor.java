@@ -15,10 +15,10 @@ import org.opencv.imgproc.Imgproc;
  * @param height pixels down the picture
  */
 record Sensor(int width, int height) {
-  /** The width of the sensor, metres. */
+  /** The width of the sensor, in metres. */
   static final double WIDTH = 0.0224;
 
-  /** The height of the sensor, metres. */
+  /** The height of the sensor, in metres. */
   static final double HEIGHT = 0.015;
 
   private static final int FULL_WIDTH_PIXELS = 5184;

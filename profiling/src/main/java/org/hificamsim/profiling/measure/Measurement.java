@@ -10,9 +10,9 @@ import java.util.Map;
  *
  * @param image the photo's name in the data set
  * @param object the object that it shows
- * @param size q, metres
- * @param distance d, metres
- * @param focalLength z, metres
+ * @param size q, in metres
+ * @param distance d, in metres
+ * @param focalLength z, in metres
  * @param pip the true share of the image's pixels that the object fills, (0, 1]
  * @param confidences the confidence of each detector, in [0, 1] (Eq 5.1)
  */

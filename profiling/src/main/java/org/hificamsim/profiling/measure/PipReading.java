@@ -25,7 +25,7 @@ public enum PipReading {
     this.column = column;
   }
 
-  /** Returns the column in {@code measurements.csv}, whose name tells how pixels were counted. */
+  /** Returns the column in {@code measurements.csv}, whose name says how pixels were counted. */
   String column() {
     return column;
   }
@@ -56,7 +56,7 @@ public enum PipReading {
 
   /**
    * Returns the reading that a measured data set was made with. Without any mask it is {@link
-   * #RECTANGLE}, whatever was requested.
+   * #RECTANGLE}, regardless of the request.
    */
   public static PipReading ofDataset(Path folder) {
     Path photos = folder.resolve(Dataset.TABLE);

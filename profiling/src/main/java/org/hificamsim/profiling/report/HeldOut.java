@@ -22,7 +22,7 @@ import org.hificamsim.profiling.measure.PipReading;
  * @param reading the pixels that count as the ball's, as in the data of the fits
  */
 record HeldOut(PipReading reading, List<Measurement> photos) {
-  /** The diameter of the ball, metres. */
+  /** The diameter of the ball, in metres. */
   private static final double BALL = 0.22;
 
   /** The share of the rectangle around the ball that the disc fills. */

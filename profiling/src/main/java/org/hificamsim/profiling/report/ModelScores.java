@@ -21,7 +21,7 @@ import org.hificamsim.profiling.fit.ShapeFit;
  * @param accuracy the balanced accuracy of detect or not detect on unseen photos
  */
 record ModelScores(String detector, String model, ShapeFit fit, boolean rejected, double accuracy) {
-  /** A shape that is the mean of the confidences, whatever the PIP. */
+  /** A shape that is the mean of the confidences at any PIP. */
   private static final DetectorShape MEAN =
       new DetectorShape(
           "mean", (pip, y) -> new DetectorLine(0, Arrays.stream(y).average().orElseThrow()));

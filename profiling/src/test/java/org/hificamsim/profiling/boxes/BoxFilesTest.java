@@ -15,7 +15,7 @@ import org.hificamsim.profiling.check.Calibration.Size;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Reads the same recording in each format, and broken files. */
+/** Tests each format with the same recording, and with broken files. */
 class BoxFilesTest {
   private static final String COCO =
       """
@@ -103,7 +103,7 @@ class BoxFilesTest {
   }
 
   @Test
-  void leavesOutDetectionsBelowScore() throws IOException {
+  void omitsDetectionsBelowScore() throws IOException {
     Path labels = file("a.gt.txt", MOT);
     Path boxes = file("a.det.txt", MOT_BOXES);
     BoxRecording.Reading reading =
@@ -121,7 +121,7 @@ class BoxFilesTest {
     assertEquals(0.5, measured.falseAlarmsPerFrame());
   }
 
-  private void assertRefused(String labels, String boxes, String... expected) {
+  private void assertRejected(String labels, String boxes, String... expected) {
     InputException refused =
         assertThrows(InputException.class, () -> measured(labels, boxes), labels);
     for (String part : expected) {
@@ -131,8 +131,8 @@ class BoxFilesTest {
   }
 
   @Test
-  void refusesDetectionsMostlyOutsideLabelledFrames() {
-    assertRefused(
+  void rejectsDetectionsMostlyOutsideLabelledFrames() {
+    assertRejected(
         MOT,
         MOT_BOXES.replace("1,-1,11", "900,-1,11").replace("2,-1,1", "901,-1,1"),
         "a.det.txt:1:1",
@@ -141,23 +141,23 @@ class BoxFilesTest {
   }
 
   @Test
-  void refusesBoxesOfSizeZero() {
-    assertRefused(MOT.replace("20,40,1", "0,40,1"), MOT_BOXES, "a.gt.txt:1", "0.0 x 40.0");
-    assertRefused(MOT, MOT_BOXES.replace("20,40,0.8", "20,0,0.8"), "a.det.txt:2", "20.0 x 0.0");
+  void rejectsBoxesOfSizeZero() {
+    assertRejected(MOT.replace("20,40,1", "0,40,1"), MOT_BOXES, "a.gt.txt:1", "0.0 x 40.0");
+    assertRejected(MOT, MOT_BOXES.replace("20,40,0.8", "20,0,0.8"), "a.det.txt:2", "20.0 x 0.0");
   }
 
   @Test
-  void refusesScoresOutsideUnitRange() {
-    assertRefused(MOT, MOT_BOXES.replace("0.8", "80"), "a.det.txt:2", "score", "80", "0 to 1");
+  void rejectsScoresOutsideUnitRange() {
+    assertRejected(MOT, MOT_BOXES.replace("0.8", "80"), "a.det.txt:2", "score", "80", "0 to 1");
   }
 
   @Test
-  void refusesIdTwiceInFrame() {
-    assertRefused(MOT + "2,5,80,20,20,40,1,-1,-1,-1\n", MOT_BOXES, "a.gt.txt:3", "'5'", "frame 2");
+  void rejectsRepeatedIdInFrame() {
+    assertRejected(MOT + "2,5,80,20,20,40,1,-1,-1,-1\n", MOT_BOXES, "a.gt.txt:3", "'5'", "frame 2");
   }
 
   @Test
-  void readsResultsWhoseCategoriesNoFileNames() throws IOException {
+  void readsResultsOfUnnamedCategories() throws IOException {
     Path labels = file("a.gt.txt", MOT);
     Path people = file("people.json", RESULTS.replace("\"category_id\": 7", "\"category_id\": 1"));
     assertOneOfTwoFound(measured(labels, people, Optional.empty()));
@@ -171,7 +171,7 @@ class BoxFilesTest {
   }
 
   @Test
-  void refusesJsonThatIsNoCoco() throws IOException {
+  void rejectsJsonThatIsNoCoco() throws IOException {
     for (String content : new String[] {"{}", "[1, 2]", "7", "{\"images\": 3}", "[]", ""}) {
       Path labels = file("coco.json", content);
       Path boxes = file("results.json", RESULTS);

@@ -16,7 +16,7 @@ import org.hificamsim.hifi.boxes.WidthEffect;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.junit.jupiter.api.Test;
 
-/** Fits boxes that a known curve drew. */
+/** Tests fits to boxes that are drawn by a known curve. */
 class BoxFitTest {
   private static final FoundCurve TRUE = new FoundCurve(1.5, 2, 5, 0, 1);
   private static final FoundCurve LIMITED = new FoundCurve(2, 4, 8, 0.1, 0.85);
@@ -72,7 +72,7 @@ class BoxFitTest {
   }
 
   @Test
-  void widthCountsWhereItHelps() {
+  void includesWidthIfItImprovesFit() {
     BoxFit fit = BoxFit.of(drawn(BY_WIDTH, 200, 20, 8, 0.3));
     WidthEffect width = fit.curve().width();
     assertEquals(BY_WIDTH.width().slope(), width.slope(), 0.25);
@@ -84,7 +84,7 @@ class BoxFitTest {
   }
 
   @Test
-  void widthIsLeftOutWhereItDoesNotHelp() {
+  void omitsWidthIfItDoesNotImproveFit() {
     BoxFit fit = BoxFit.of(drawn(TRUE, 60, 20, 9, 0.3));
     assertEquals(WidthEffect.NONE, fit.curve().width());
     assertTrue(fit.width().contains("left out"), fit.width());
@@ -141,7 +141,7 @@ class BoxFitTest {
   }
 
   @Test
-  void stopsWhereEverybodyIsFound() {
+  void endsCurveWhereEverybodyIsFound() {
     MeasuredBoxes measured = drawn(new FoundCurve(60, 0, 0, 0, 1), 10, 10, 6);
     BoxFit fit = BoxFit.of(measured);
     assertTrue(Double.isFinite(fit.curve().intercept()));
@@ -149,7 +149,7 @@ class BoxFitTest {
   }
 
   @Test
-  void refusesSinglePerson() {
+  void rejectsSinglePerson() {
     MeasuredBoxes measured = drawn(TRUE, 1, 10, 7);
     InputException refused = assertThrows(InputException.class, () -> BoxFit.of(measured));
     assertTrue(refused.getMessage().contains("expected two"), refused.getMessage());

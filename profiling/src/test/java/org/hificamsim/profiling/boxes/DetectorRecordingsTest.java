@@ -24,7 +24,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Fits two public recordings with the boxes of a Faster R-CNN, which are not part of the project.
+ * Tests fits to two public recordings with boxes of a Faster R-CNN, which are not part of the
+ * project.
  */
 class DetectorRecordingsTest {
   private static final int HALF = 397;

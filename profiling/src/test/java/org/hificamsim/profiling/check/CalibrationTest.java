@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Projects points with synthetic cameras, and back to the ground. */
+/** Tests projections of points by synthetic cameras, and back to the ground. */
 class CalibrationTest {
   @Test
   void levelCameraProjectsLikeAPinhole() {

@@ -16,8 +16,8 @@ final class MadeCameras {
   /**
    * A camera above the origin that looks north, along y.
    *
-   * @param height metres
-   * @param tilt downwards, degrees
+   * @param height the height in metres
+   * @param tilt downwards, in degrees
    */
   static Calibration at(double height, double tilt, Lens lens) {
     double rx = Math.toRadians(90 + tilt);

@@ -20,7 +20,7 @@ import javax.imageio.stream.ImageOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** JPEGs with data behind their end, and JPEGs that are cut short. */
+/** Tests JPEGs with data behind their end, and JPEGs that are cut short. */
 class JpegEndTest {
   private static final byte[] VIDEO =
       "....ftypmp42 a video of a motion photo ".repeat(20).getBytes(StandardCharsets.US_ASCII);

@@ -85,7 +85,7 @@ class BoxDetectorsTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"yolo", "haar:nix", "onnx:FILE:class=x", "onnx:FILE:size=4", "onnx:FILE:nix=1"})
-  void rejectsWrongDetectorsWithWhatWasExpected(String name) throws IOException {
+  void rejectsInvalidDetectorsWithExpectation(String name) throws IOException {
     Path network = folder.resolve("some.onnx");
     Files.write(network, TinyOnnx.network());
     String text = name.replace("FILE", network.toString());

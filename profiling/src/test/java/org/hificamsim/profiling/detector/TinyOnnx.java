@@ -12,7 +12,7 @@ import java.util.Arrays;
  * form [1, 4 + 2, cells] of YOLO version 8.
  */
 final class TinyOnnx {
-  /** The width and height of its input, pixels. */
+  /** The width and height of its input, in pixels. */
   static final int SIZE = 64;
 
   private static final int CELL = 8;

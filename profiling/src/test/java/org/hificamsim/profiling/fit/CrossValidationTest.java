@@ -29,7 +29,7 @@ class CrossValidationTest {
   }
 
   @Test
-  void predictsEveryRowOnceByAFitWithoutIt() {
+  void predictsEveryRowOnceByAFitWithoutThatRow() {
     List<Set<Measurement>> trained = new ArrayList<>();
     FeatureRegression spy =
         new FeatureRegression(
@@ -57,7 +57,7 @@ class CrossValidationTest {
   }
 
   @Test
-  void foldsMeasureHowMuchALineExplains() {
+  void foldsMeasureHowWellLineFits() {
     CrossValidation validation = folds(FeatureRegression.linear(), data, 0);
     // Var(0.2 d) is 0.33, the noise's 0.09.
     assertEquals(0.33 / 0.42, validation.mean(), 0.05);

@@ -36,7 +36,7 @@ class HonestValidationTest {
    * Records the rows of each fit, and checks that no row is predicted by a fit that has seen it.
    */
   @Test
-  void predictsEveryRowByAFitWithoutItsObject() {
+  void predictsEveryRowByAFitWithoutTheRowsObject() {
     List<Measurement> rows = new Photos().detector("d", p -> p).take(1);
     Groups objects = Groups.byObject(rows);
     assertEquals(8, objects.count());

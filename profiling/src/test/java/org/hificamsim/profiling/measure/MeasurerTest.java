@@ -41,7 +41,7 @@ class MeasurerTest {
   @TempDir static Path folder;
   private static Dataset dataset;
 
-  /** Some photos of every object, for slow tests. */
+  /** A data set with a few photos of every object, for slow tests. */
   private static Dataset somePhotos;
 
   /** The table of these photos for all detectors, measured with one thread. */
@@ -283,7 +283,7 @@ class MeasurerTest {
   }
 
   @Test
-  void reportsWrongMeasurementsWithTheirPlace() throws IOException {
+  void reportsInvalidMeasurementsWithTheirPlace() throws IOException {
     Path file = folder.resolve("broken.csv");
     Files.writeString(
         file,

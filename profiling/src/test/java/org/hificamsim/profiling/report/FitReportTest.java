@@ -43,7 +43,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Fits 160 synthetic photos and checks the report. */
+/** Tests the report of a fit to 160 synthetic photos. */
 class FitReportTest {
   private static final FitSettings SETTINGS =
       new FitSettings(
@@ -128,7 +128,7 @@ class FitReportTest {
   }
 
   @Test
-  void saysIfOnlyTheLogarithmRises() {
+  void reportsConfidenceThatRisesOnlyWithTheLogarithm() {
     assertEquals("surely", OwnTables.rises(new RisingSlope(0.2, 0.1, 0.3, true)));
     assertEquals(
         "surely with the logarithm", OwnTables.rises(new RisingSlope(0.2, -0.1, 0.3, true)));
@@ -195,7 +195,7 @@ class FitReportTest {
     assertFalse(withoutPictures(text).contains("NaN"));
   }
 
-  /** Few photos, for tests that do not depend on statistics. */
+  /** Returns few photos, for tests that do not depend on statistics. */
   private static Photos fewPhotos() {
     return new Photos().objects(4).lenses(0.010, 0.050);
   }
@@ -318,7 +318,7 @@ class FitReportTest {
   }
 
   @Test
-  void countsTheBallLikeThePhotos() throws IOException {
+  void measuresTheBallByTheSamePixelsAsThePhotos() throws IOException {
     HeldOut rectangles = HeldOut.of(PipReading.RECTANGLE);
     HeldOut silhouettes = HeldOut.of(PipReading.SILHOUETTE);
     assertEquals(
@@ -356,7 +356,7 @@ class FitReportTest {
     assertFalse(Claims.isReproduced(0.66 - 0.60));
   }
 
-  /** SSE / (1 - R2) is the variation of one detector's confidences, whatever the predictor. */
+  /** SSE / (1 - R2) is the variation of one detector's confidences for any predictor. */
   @Test
   void publishedScoresAreConsistentExceptOrbOnMeasuredPip() {
     for (String detector : List.of("orb", "sift", "surf")) {
