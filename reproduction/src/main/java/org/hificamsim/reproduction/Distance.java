@@ -18,7 +18,10 @@ import org.hificamsim.reproduction.Table81.Cell;
  */
 public record Distance(
     Optional<Reading> reading, boolean hifi, double mean, long nearCells, int steps, int seeds) {
-  /** Our defaults first, then each other reading; the hi-fi column before CamSim's. */
+  /**
+   * Returns the distances of our defaults, then of each other reading; the hi-fi column comes
+   * before CamSim's.
+   */
   static List<Distance> of(List<Cell> cells, int steps, int seeds) {
     List<Distance> distances = new ArrayList<>();
     List<Optional<Reading>> readings = new ArrayList<>(List.of(Optional.empty()));

@@ -8,7 +8,7 @@ import java.util.stream.Stream;
 /**
  * The verdicts on the cells of Table 8.1 and on the statements of the text.
  *
- * @param distances from our cells to the published ones, by reading
+ * @param distances the distances from our cells to the published ones, by reading
  * @param adapting the optimum's gain over a fixed zoom, by which the other results have to be read
  */
 public record Judgement(

@@ -33,7 +33,7 @@ public enum Layout {
     return label() + "-scripted";
   }
 
-  /** Both scenarios. */
+  /** Returns the names of both scenarios. */
   public List<String> scenarios() {
     return List.of(random(), scripted());
   }

@@ -50,7 +50,7 @@ public final class Table81 {
       return reading.map(readings::get).filter(value -> !value.isNaN()).orElse(ours.mean());
     }
 
-    /** Our proportion minus the published one. */
+    /** Returns our proportion minus the published one. */
     public double difference() {
       return ours.mean() - published.proportion();
     }

@@ -13,7 +13,7 @@ public enum Verdict {
   /** The largest distance between our proportion and a published one that counts as the same. */
   public static final double TOLERANCE = 0.05;
 
-  /** A distance of exactly 0.05 counts as the same in spite of rounding errors. */
+  /** The margin for rounding errors, with which a distance of exactly 0.05 counts as the same. */
   private static final double ROUNDING = 1e-9;
 
   /** The name in files. */

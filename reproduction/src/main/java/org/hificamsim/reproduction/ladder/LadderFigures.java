@@ -43,7 +43,7 @@ final class LadderFigures {
             .toList();
   }
 
-  /** Tau and regret in each scenario. */
+  /** Returns the figure of tau and regret in each scenario. */
   Figure byScenario() {
     return figure(
         "How far each rung can be trusted, judged by " + top(),

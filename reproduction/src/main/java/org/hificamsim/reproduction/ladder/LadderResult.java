@@ -17,7 +17,7 @@ import org.hificamsim.runs.statistics.Bootstrap;
 /**
  * The comparison of every rung with the top rung.
  *
- * @param rungs by scenario, then the means over all scenarios
+ * @param rungs the rungs of each scenario, then their means over all scenarios
  * @param nanoseconds the cost of a step, by rung
  * @param measure the name of the measure by which rungs are judged
  */

@@ -111,7 +111,7 @@ public final class Rungs {
 
     /**
      * The detection of this rung. Without a rule in its name it is by the model's own rule,
-     * whatever the scenario says: a rung is the same in all scenarios.
+     * regardless of the scenario: a rung is the same in all scenarios.
      *
      * @throws org.hificamsim.core.InputException when there is no such detection
      */

@@ -19,7 +19,7 @@ final class Simplifications {
 
   private Simplifications() {}
 
-  /** Targets do not hide each other, and all have the same size: the mean size. */
+  /** Keeps targets from hiding each other, and gives all of them the mean size. */
   static Scenario occlusion(Scenario scenario) {
     double size = scenario.everyTarget().mapToDouble(TargetSpec::size).average().orElse(Double.NaN);
     return named("walls", scenario, scenario)
@@ -27,18 +27,18 @@ final class Simplifications {
         .with(Scenario.OCCLUSION, Occlusion.NONE);
   }
 
-  /** There are no obstacles. */
+  /** Removes all obstacles. */
   static Scenario walls(Scenario scenario) {
     return named("time", scenario, occlusion(scenario)).with(Scenario.OBSTACLES, List.of());
   }
 
-  /** Cameras turn and zoom at once. */
+  /** Lets cameras turn and zoom at once. */
   static Scenario time(Scenario scenario) {
     return named("pan", scenario, walls(scenario))
         .withCameras(camera -> withOptics(camera, Simplifications::atOnce));
   }
 
-  /** Cameras do not turn. */
+  /** Keeps cameras from turning. */
   static Scenario pan(Scenario scenario) {
     return named("optics", scenario, time(scenario))
         .withCameras(
@@ -46,8 +46,8 @@ final class Simplifications {
   }
 
   /**
-   * Cameras see all round. The radii follow from the first lens at one height by Eq 3.2: the widest
-   * is half the diagonal of the field.
+   * Lets cameras see all round. The radii follow from the first lens at one height by Eq 3.2: the
+   * widest is half the diagonal of the field.
    *
    * @throws InputException when no camera has a lens
    */

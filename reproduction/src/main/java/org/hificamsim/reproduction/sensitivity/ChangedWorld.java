@@ -14,14 +14,14 @@ import org.hificamsim.hifi.optics.Optics;
 final class ChangedWorld {
   private static final long SEED = 71;
 
-  /** Drawn positions are within this share of the field, around its middle. */
+  /** The share of the field, around its middle, that contains drawn positions. */
   private static final double INSIDE = 0.8;
 
   private static final double FULL_TURN = 360;
 
   private ChangedWorld() {}
 
-  /** Gives all targets another size q, metres. */
+  /** Gives all targets another size q, in metres. */
   static Scenario withSize(Scenario scenario, double size) {
     return scenario
         .withTargets(target -> target.withSize(size))
@@ -35,7 +35,7 @@ final class ChangedWorld {
         .with(Scenario.NAME, scenario.name() + "-v" + speed);
   }
 
-  /** Scales the radii of the zoom levels to another widest radius, metres. */
+  /** Scales the radii of the zoom levels to another widest radius, in metres. */
   static Scenario withWidestRadius(Scenario scenario, double radius) {
     List<Double> radii = scenario.zooms();
     double widest = radii.get(radii.size() - 1);
@@ -48,7 +48,7 @@ final class ChangedWorld {
    * Moves all cameras to the height at which the narrowest zoom level has a focal length (Eqs 3.1,
    * 3.2).
    *
-   * @param focalLength metres, above 0
+   * @param focalLength the focal length in metres, above 0
    */
   static Scenario withFocalLength(Scenario scenario, Optics optics, double focalLength) {
     double height = 2 * focalLength * scenario.zooms().get(0) / optics.sensorWidth();

@@ -18,7 +18,7 @@ import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;
  * @param camsim the distance from CamSim's column
  */
 record Fit(ParameterSweep sweep, Variant variant, double hifi, double camsim) {
-  /** A fit is as good as the defaults if its distance is larger by no more than this. */
+  /** The difference of distances up to which a fit counts as good as the defaults. */
   static final double TOLERANCE = 0.01;
 
   /** The fits of all values of the sweeps that change a cell of the table. */
@@ -41,7 +41,7 @@ record Fit(ParameterSweep sweep, Variant variant, double hifi, double camsim) {
     return !variant.isDefault() && variant.camsim() == defaults.variant.camsim();
   }
 
-  /** Whether the hi-fi column is as near as under the defaults. */
+  /** Whether the fit to the hi-fi column is as good as with the defaults. */
   boolean isAsGoodAs(Fit defaults) {
     return hifi <= defaults.hifi + TOLERANCE;
   }

@@ -66,7 +66,7 @@ record Gap(
     return difference.high() < 0 ? Finding.OVERESTIMATES : Finding.OPEN;
   }
 
-  /** All gaps: by sweep, value, layout (then all layouts) and policy. */
+  /** All gaps, in the order of sweeps, values, layouts (then all layouts together) and policies. */
   static List<Gap> of(List<ParameterSweep> sweeps, Cases cases) {
     List<Gap> gaps = new ArrayList<>();
     for (ParameterSweep sweep : sweeps) {

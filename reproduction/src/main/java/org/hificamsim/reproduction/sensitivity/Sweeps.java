@@ -62,7 +62,7 @@ public final class Sweeps {
   private record SweepDeclaration(
       String parameter, String values, String meaning, List<String> policies) {}
 
-  /** Every sweep, in the order of files. */
+  /** Returns all sweeps, in the order of files. */
   List<ParameterSweep> all() {
     byte[] json = Io.resource(Sweeps.class, "sweeps.json");
     SweepDeclaration[] declared =
@@ -173,7 +173,7 @@ public final class Sweeps {
         Detection camsim,
         Map<String, String> policies,
         String greedy) {
-      /** Both detection models. */
+      /** Returns both detection models. */
       List<Detection> detections() {
         return List.of(camsim, hifi);
       }

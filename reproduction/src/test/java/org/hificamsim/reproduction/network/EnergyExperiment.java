@@ -56,7 +56,7 @@ public final class EnergyExperiment {
       return new Contender(name, Settings.NONE.with(Setting.POLICY, policy), thin);
     }
 
-    /** Cameras in their widest views that trade targets by one of CamSim's strategies. */
+    /** Returns cameras in their widest views that trade targets by one of CamSim's strategies. */
     static Contender strategy(String strategy) {
       return new Contender(
           "CamSim " + strategy,
