@@ -84,7 +84,7 @@ public record DetectionSpec(
     }
   }
 
-  /** The detection by its name and the user's settings alone, without a scenario. */
+  /** Returns the detection that its name and the user's settings determine, without a scenario. */
   public Detection detection(Settings settings) {
     return detection(settings, OptionalDouble.empty(), Optional.empty());
   }

@@ -22,8 +22,8 @@ import org.hificamsim.core.Texts;
  */
 public record Estimate(double mean, double low, double high) {
   /**
-   * With fewer seeds, an interval is wide, another seed may change the conclusion, and the skewness
-   * of values is due to chance.
+   * The number of seeds that a conclusion needs. With fewer, an interval is wide, another seed may
+   * change the conclusion, and the skewness of values is due to chance.
    */
   public static final int ENOUGH_SEEDS = 10;
 
@@ -36,7 +36,7 @@ public record Estimate(double mean, double low, double high) {
    */
   private static final double LONGEST_SIDE = 1.75;
 
-  /** Below this, rounding would change an interval more than the skewness does. */
+  /** The skewness below which rounding would change an interval more than the skewness does. */
   private static final double NO_SKEWNESS = 1e-6;
 
   /** The minus sign of a number that is printed as 0. */
@@ -142,7 +142,7 @@ public record Estimate(double mean, double low, double high) {
     return new Estimate(mean, Math.max(least, low), Math.min(most, high));
   }
 
-  /** One minus the estimate. */
+  /** Returns one minus the estimate. */
   public Estimate complement() {
     return new Estimate(1 - mean, 1 - high, 1 - low);
   }

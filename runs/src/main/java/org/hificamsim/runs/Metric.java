@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 
 /**
- * The metrics of a run, in the order of files. A metric is declared here alone: its name, unit and
+ * The metrics of a run, in the order of files. A metric is declared only here: its name, unit and
  * meaning, how it is computed, and whether {@code run} prints it. Files, tables on the terminal,
  * pages and the table in {@code docs/data.md} follow.
  */
@@ -333,7 +333,10 @@ public enum Metric {
     return Arrays.stream(values()).filter(metric -> metric.isOfRun() && !metric.isClaim()).toList();
   }
 
-  /** Whether a run alone has the metric; otherwise it needs the yardsticks of a comparison. */
+  /**
+   * Whether a run is enough to compute the metric; otherwise it needs the yardsticks of a
+   * comparison.
+   */
   boolean isOfRun() {
     return source instanceof MetricSource.RunAlone;
   }

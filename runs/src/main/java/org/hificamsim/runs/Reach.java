@@ -13,8 +13,9 @@ import org.hificamsim.core.world.World;
 /**
  * The distance to which a camera detects a target on its optical axis at one zoom level.
  *
- * @param radius the radius of the field of view, metres
- * @param detected the largest distance at which the target is detected, metres; 0 if there is none
+ * @param radius the radius of the field of view, in metres
+ * @param detected the largest distance at which the target is detected, in metres; 0 if there is
+ *     none
  */
 public record Reach(double radius, double detected) {
   private static final int MAX_LISTED = 10;
@@ -28,7 +29,7 @@ public record Reach(double radius, double detected) {
         .toList();
   }
 
-  /** The largest distance at which a target is detected at any zoom level, metres. */
+  /** The largest distance at which a target is detected at any zoom level, in metres. */
   public static double farthest(Scenario scenario, Detection detection) {
     return of(scenario, detection).stream().mapToDouble(Reach::detected).max().orElse(0);
   }
@@ -53,7 +54,7 @@ public record Reach(double radius, double detected) {
         : String.join(", ", texts.subList(0, MAX_LISTED)) + ", ...";
   }
 
-  /** The edge of the largest target that a scenario has at any time, metres. */
+  /** The edge of the largest target that a scenario has at any time, in metres. */
   public static double largestTarget(Scenario scenario) {
     return scenario
         .everyTarget()

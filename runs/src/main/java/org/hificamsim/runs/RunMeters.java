@@ -20,7 +20,7 @@ import org.hificamsim.runs.cells.ZoneRecorder;
  * @param following the recorder of following; null unless the scenario asks for it
  */
 record RunMeters(RunCoverage coverage, ZoneRecorder zones, TargetFollowing following) {
-  /** New meters for a repeat of a plan. */
+  /** Creates the meters of a repeat of a plan. */
   static RunMeters of(RunPlan plan, Catalogue catalogue) {
     Scenario scenario = plan.scenario();
     return new RunMeters(

@@ -14,7 +14,7 @@ import org.hificamsim.core.scenario.Scenario;
  *
  * @param scenario the scenario, with the user's settings in place of those of its file
  * @param keptValues the values of all settings that the plan keeps itself
- * @param sources the sources of settings, which results tell people; empty if they are not known
+ * @param sources the sources of settings, which results show; empty if they are not known
  */
 public record RunPlan(
     Scenario scenario,
@@ -30,7 +30,7 @@ public record RunPlan(
    * Creates a plan with all other settings at their defaults.
    *
    * @param policy the policy's name and options; each repeat makes its own instance
-   * @param steps the number of steps, 1 to {@link Scenario#MAX_STEPS}; 0 in {@code camsim} alone
+   * @param steps the number of steps, 1 to {@link Scenario#MAX_STEPS}; 0 only in {@code camsim}
    * @param seed the seed of the first repeat; repeat i uses seed + i
    * @param repeats the number of repeats, 1 or more
    */

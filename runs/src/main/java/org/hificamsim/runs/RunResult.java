@@ -14,8 +14,8 @@ import org.hificamsim.core.Texts;
  * @param values the values of the metrics that the run has on its own
  * @param gap the most that the score could gain in the steps whose configuration is not proven to
  *     be the best
- * @param zoneShares by name of a zone: the share of the zone that is seen as it demands, the mean
- *     over the steps; empty if the result was read from a table
+ * @param zoneShares for each zone's name, the share of the zone that is seen as it demands, the
+ *     mean over the steps; empty if the result was read from a table
  */
 public record RunResult(
     int run, long seed, EnumMap<Metric, Double> values, double gap, Map<String, Double> zoneShares)
@@ -47,7 +47,9 @@ public record RunResult(
     return metric.mean(plan, results.stream().mapToDouble(run -> run.value(metric)).toArray());
   }
 
-  /** By name of a zone: the share of the zone that is seen as it demands, mean over repeats. */
+  /**
+   * Returns the share of each zone that is seen as the zone demands, mean over repeats, by name.
+   */
   public static Map<String, Double> zoneShares(List<RunResult> results) {
     Map<String, Double> means = new LinkedHashMap<>();
     for (String zone : results.get(0).zoneShares.keySet()) {

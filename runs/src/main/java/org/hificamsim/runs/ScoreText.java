@@ -2,7 +2,7 @@ package org.hificamsim.runs;
 
 import org.hificamsim.core.metrics.Objective;
 
-/** Writes scores for people: as the mean of a step, and shares in percent. */
+/** Writes the mean score of a step for people; shares are in percent. */
 public final class ScoreText {
   private ScoreText() {}
 

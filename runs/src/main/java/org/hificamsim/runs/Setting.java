@@ -19,7 +19,7 @@ import org.hificamsim.core.scenario.spec.ProcessingBudget;
 import org.hificamsim.core.scenario.spec.StepOrder;
 
 /**
- * The settings of a run, in the order of files. A setting is declared here alone: its form, meaning
+ * The settings of a run, in the order of files. A setting is declared only here: its form, meaning
  * and default, who keeps its value, and how a value changes a scenario. The options of commands,
  * keyword arguments of Python, the key of a run's results, {@code settings.json} and the plans that
  * Spark sends follow.
@@ -155,7 +155,7 @@ public enum Setting {
       return scenario.find(Scenario.STEPS).map(String::valueOf);
     }
 
-    /** A scenario that names no number of steps stays without one. */
+    /** Replaces the number of steps, unless the scenario names none. */
     @Override
     Scenario override(Scenario scenario, String text) {
       return scenario.find(Scenario.STEPS).isPresent()
@@ -260,7 +260,7 @@ public enum Setting {
   private final String fallback;
   private final Keeper keeper;
 
-  /** Null unless the scenario keeps the value. */
+  /** The attribute of scenario files that has the value; null if none has it. */
   private final ScenarioAttribute<?> attribute;
 
   private final String[] meaning;
@@ -320,7 +320,7 @@ public enum Setting {
     return meaning.clone();
   }
 
-  /** The default; null where the scenario or the detection model decides. */
+  /** The default; null if the scenario or the detection model decides. */
   public String fallback() {
     return fallback;
   }
@@ -347,7 +347,7 @@ public enum Setting {
   }
 
   /**
-   * Whether results tell the source of the value: an option, the scenario file or the default. If
+   * Whether results say the source of the value: an option, the scenario file or the default. If
    * so, {@link #inFile} reads the value from the file.
    */
   boolean mayComeFromFile() {

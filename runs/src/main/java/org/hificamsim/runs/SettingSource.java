@@ -1,6 +1,6 @@
 package org.hificamsim.runs;
 
-/** Where the value of a setting comes from, in the order of precedence. */
+/** The source of a setting's value, in the order of precedence. */
 public enum SettingSource {
   OPTION,
   SCENARIO,

@@ -66,7 +66,7 @@ public final class Settings {
         .orElseGet(() -> fallbacks.getOrDefault(setting, setting.fallback()));
   }
 
-  /** The scenario with the values that are asked for in place of those of its file. */
+  /** The scenario with the requested values instead of those of its file. */
   public Scenario scenario(Scenario file) {
     Scenario scenario = file;
     for (Map.Entry<Setting, String> value : asked.entrySet()) {

@@ -3,7 +3,7 @@ package org.hificamsim.runs;
 import java.math.BigDecimal;
 import java.math.MathContext;
 
-/** Numbers in sentences, with three significant digits. */
+/** Writes numbers for sentences, with three significant digits. */
 public final class ShortNumber {
   private static final MathContext THREE_DIGITS = new MathContext(3);
 

@@ -176,7 +176,7 @@ public record BenchmarkEntry(
     return plans;
   }
 
-  /** Omits where the policy's files were, since the entry has them all. */
+  /** Returns the policy without the folders of its files, since the entry has all files. */
   private static String withoutFolders(Application application, Map<String, String> files) {
     String policy = application.policy();
     return isPlayed(policy)

@@ -43,9 +43,7 @@ public record BenchmarkTask(
     List<Double> zoomOut,
     List<Double> best,
     List<Boolean> proven) {
-  /**
-   * Training uses the seeds from 0 to this number, exclusive; other seeds are reduced modulo it.
-   */
+  /** The number of seeds for training, which begin at 0; other seeds are reduced modulo it. */
   public static final int TRAINING = 1_000_000;
 
   /** The seeds of the testing episodes. */

@@ -33,7 +33,7 @@ record Claim(double difference, double error, int freedom) {
   }
 
   /**
-   * Half the width of the interval of the difference.
+   * Returns half the width of the interval of the difference.
    *
    * @param alpha the probability that chance alone makes a greater difference, in (0, 1)
    */

@@ -62,7 +62,7 @@ final class EnteredPolicy {
   /**
    * Rejects an entry whose policy files are not those that it was recorded with.
    *
-   * @param entryFile the file of the entry, beside which they lie
+   * @param entryFile the file of the entry, in whose folder they are
    */
   static void requireUnchangedFiles(Path entryFile, BenchmarkEntry entry) {
     entry.files().forEach((name, hash) -> requireUnchanged(entryFile, name, hash));
@@ -89,9 +89,9 @@ final class EnteredPolicy {
   /**
    * Replaces the paths of files in the options of a policy.
    *
-   * @param tasks the tasks, by whose names paths may differ
+   * @param tasks the tasks whose names may occur in paths
    * @param files the names of the files
-   * @param replacement returns what stands for a file, given its name
+   * @param replacement returns the replacement of a file's path, given the file's name
    */
   static String replaceFiles(
       String policy, List<String> tasks, Set<String> files, UnaryOperator<String> replacement) {

@@ -33,7 +33,7 @@ public final class EntryCheck {
    *
    * @param scores the scores of all episodes of the task
    * @param number the number of the episode, from 0
-   * @param views by step the view that each camera had chosen
+   * @param views the view that each camera had chosen, by step
    * @param file the file of the actions
    */
   private record RecordedEpisode(

@@ -12,7 +12,7 @@ import org.hificamsim.runs.RunResult;
 /**
  * A played episode.
  *
- * @param views by step and camera: the view that the camera had chosen last
+ * @param views for each step and camera, the view that the camera had chosen last
  * @param score the mean score of a step
  */
 record Episode(int[][] views, double score) {

@@ -29,11 +29,11 @@ public final class Leaderboard {
   /** Whether an entry has a rank, and if not, why. */
   private enum Standing {
     RANKED(""),
-    /** Only its actions were replayed, while others were verified on fresh seeds. */
+    /** An entry whose actions only were replayed, while others were verified on fresh seeds. */
     UNVERIFIED("not verified, no rank"),
-    /** It knows what no camera can know. */
+    /** An entry whose policy knows what no camera can know. */
     BOUND("a bound, out of competition"),
-    /** It scored more in testing than its policy does on fresh seeds. */
+    /** An entry that scored more in testing than its policy does on fresh seeds. */
     NOT_HELD("does not hold on fresh seeds, no rank");
 
     private final String reason;
@@ -42,7 +42,7 @@ public final class Leaderboard {
       this.reason = reason;
     }
 
-    /** The name of an entry, with why it has no rank. */
+    /** The name of an entry, with the reason why it has no rank. */
     String mark(String name) {
       return reason.isEmpty() ? name : name + " (" + reason + ")";
     }
@@ -137,7 +137,7 @@ public final class Leaderboard {
     TABLE.write(folder, entries.stream().flatMap(entry -> figures(entry).stream()));
   }
 
-  /** One line for each entry: its score in all tasks, or in those that it has. */
+  /** Returns a line for each entry: its score in all tasks, or in those that it has played. */
   public List<String> lines() {
     return entries.stream().map(this::line).toList();
   }
@@ -164,7 +164,7 @@ public final class Leaderboard {
     return List.copyOf(row("Entry", "", List.of()).keySet());
   }
 
-  /** One row for each entry, by the names of the columns; a figure that is missing is {@code -}. */
+  /** Returns a row for each entry, by the names of the columns; a missing figure is {@code -}. */
   public List<Map<String, String>> rows() {
     return entries.stream()
         .map(entry -> row(marked(entry), verification(entry), figures(entry)))

@@ -35,22 +35,22 @@ public record FieldCells(Field field, int columns, int rows) {
     return columns * rows;
   }
 
-  /** The width of a cell, metres. */
+  /** The width of a cell, in metres. */
   public double width() {
     return field.width() / columns;
   }
 
-  /** The height of a cell in the plan, metres. */
+  /** The height of a cell in the plan, in metres. */
   public double height() {
     return field.height() / rows;
   }
 
-  /** The x of a cell's centre, metres. */
+  /** The x of a cell's centre, in metres. */
   public double x(int cell) {
     return field.minX() + (cell % columns + 0.5) * width();
   }
 
-  /** The y of a cell's centre, metres. */
+  /** The y of a cell's centre, in metres. */
   public double y(int cell) {
     int row = cell / columns;
     return field.minY() + (row + 0.5) * height();

@@ -39,7 +39,7 @@ public final class ViewCells {
      *
      * @param east metres to the east, from the target to the camera
      * @param north metres to the north, from the target to the camera
-     * @param z the camera's height, metres; NaN in a flat world
+     * @param z the camera's height, in metres; NaN in a flat world
      */
     boolean holds(double east, double north, double z);
   }

@@ -91,7 +91,7 @@ public final class ZoneArea {
     return freeCells.length == 0;
   }
 
-  /** The area of the zone outside obstacles, square metres. */
+  /** The area of the zone outside obstacles, in square metres. */
   public double squareMetres() {
     return freeCells.length * views.cells().width() * views.cells().height();
   }
@@ -122,8 +122,8 @@ public final class ZoneArea {
   }
 
   /**
-   * By cell of the raster, what is missing there of what was measured last, in [0, 1]; 0 where the
-   * zone demands nothing.
+   * Returns for each cell of the raster the share that the last measurement found missing, in [0,
+   * 1]; 0 if the zone demands nothing.
    */
   public double[] missing() {
     double[] missing = new double[cells().count()];

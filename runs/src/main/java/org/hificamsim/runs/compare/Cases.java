@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * Finds the results of a comparison group the names of scenario, detection model and policy, and
+ * Finds the results of a comparison by the names of scenario, detection model and policy, and
  * groups results in the order in which they are given.
  */
 public final class Cases {

@@ -18,8 +18,8 @@ import org.hificamsim.runs.ScoredRun;
  * Runs plans, each repeat as a task of its own, and compares the score of each run with the
  * yardsticks of the same scenario, detection model and seed.
  *
- * <p>The results do not depend on the engine or its threads: a run depends on its plan and seed
- * alone, and sums over runs are sums of whole numbers or are added in the order of seeds.
+ * <p>The results do not depend on the engine or its threads: a run depends only on its plan and
+ * seed, and sums over runs are sums of whole numbers or are added in the order of seeds.
  */
 public final class Comparison {
   private Comparison() {}
@@ -40,7 +40,7 @@ public final class Comparison {
     return score(cases).subList(0, references.withOptimum(requested).size());
   }
 
-  /** Every run, seed by seed, so that all cases advance together. */
+  /** Returns every run, seed by seed, so that all cases advance together. */
   private static List<RunTask> tasks(List<RunPlan> plans) {
     List<RunTask> tasks = new ArrayList<>();
     for (int repeat = 0; repeat < plans.get(0).repeats(); repeat++) {

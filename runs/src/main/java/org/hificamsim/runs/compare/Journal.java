@@ -50,7 +50,7 @@ public final class Journal implements Closeable {
   /** The name of the file in the folder of a shard. */
   private static final String SHARD_FILE = "runs.jsonl";
 
-  /** The start of each line, which tells a journal from other files. */
+  /** The start of each line, which distinguishes a journal from other files. */
   private static final byte[] BEGIN = "{\"sum\":\"".getBytes(StandardCharsets.UTF_8);
 
   private static final int MAX_LINE_BYTES = 1 << 28;

@@ -8,7 +8,7 @@ import org.hificamsim.runs.Metric;
 
 /** Two policies under the same detection and in the same scenarios. */
 record PolicyPair(PolicyScores first, PolicyScores second) {
-  /** Both policies in one scenario, compared by a metric. */
+  /** The comparison of both policies in one scenario by a metric. */
   record InScenario(CaseResult first, CaseResult second, Metric metric) {
     /** The first value minus the second, for each seed that has both. */
     double[] differences() {

@@ -14,8 +14,8 @@ import org.hificamsim.runs.statistics.Bootstrap;
  * their optima. Intervals are computed by a bootstrap over seeds; both sides of a difference get
  * the same seeds.
  *
- * @param performance by seed, the performance summed over the cases
- * @param optimum by seed, the performance of the optima summed over the cases
+ * @param performance for each seed, the performance summed over the cases
+ * @param optimum for each seed, the performance of the optima summed over the cases
  */
 public record Ratio(double[] performance, double[] optimum) {
   /** The performance of cases over that of their own optima. */

@@ -37,7 +37,7 @@ import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.PolicyFiles;
 
 /**
- * Identifies everything but the seed on which the result of a run depends: two runs with the same
+ * Identifies everything that determines the result of a run except the seed: two runs with the same
  * key and seed have the same result.
  *
  * @param inputs the named inputs with their contents: this program, the users' classes on the class
@@ -132,7 +132,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
         .map(Input::toString);
   }
 
-  /** A fitted model is identified by its parameters, other models by their class. */
+  /** Returns the digest of a model: of its parameters if it was fitted, else of its class. */
   private static String digest(DetectionModel model) {
     return Sha256.of(
         model instanceof FittedDetection fitted
@@ -163,7 +163,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
         .toList();
   }
 
-  /** Parts of the simulator are identified by its version. */
+  /** Whether a class is part of the simulator, and so identified by the simulator's version. */
   private static boolean isOurs(Class<?> type) {
     return type.getName().startsWith("org.hificamsim.");
   }

@@ -37,7 +37,9 @@ public final class SummaryTables {
 
   private static final Figure SHARE_OF_REACHABLE = share(Yardstick.REACHABLE);
 
-  /** In the row of the optimum, this is the value of adapting. */
+  /**
+   * The share of the best fixed configuration; in the row of the optimum, the value of adapting.
+   */
   private static final Figure OVER_FIXED = share(Yardstick.BEST_FIXED);
 
   private SummaryTables() {}

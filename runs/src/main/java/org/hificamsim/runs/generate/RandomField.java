@@ -16,11 +16,11 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
  * @param cameras the number of cameras, 1 or more
  * @param targets the number of targets, 1 or more, which go straight at 1 m a step and are 0.66 m
  *     in size
- * @param area the area for each camera, square metres, above 0
+ * @param area the area for each camera, in square metres, above 0
  * @param seed the seed of the positions and headings
  */
 public record RandomField(int cameras, int targets, double area, long seed) {
-  /** The area for each camera in the cluster scenarios, square metres. */
+  /** The area for each camera in the cluster scenarios, in square metres. */
   public static final double CLUSTER_AREA = 30.0 * 20.0 / 14;
 
   /** The number of targets for each camera, about as in the published scenarios. */

@@ -22,7 +22,7 @@ import org.hificamsim.core.scenario.spec.StepOrder;
  * @param walls the number of walls, 0 or more
  */
 public record RandomSite(RandomField size, int walls) {
-  /** The area for each camera, as on a campus, square metres. */
+  /** The area for each camera, as on a campus, in square metres. */
   public static final double AREA = 2_400;
 
   private static final int STEPS = 300;
@@ -72,7 +72,7 @@ public record RandomSite(RandomField size, int walls) {
     private final List<Wall> walls = new ArrayList<>();
 
     /**
-     * @param scale the side of a square with the area for one camera, metres
+     * @param scale the side of a square with the area for one camera, in metres
      */
     RandomWalls(Field field, double scale, SplittableRandom random) {
       this.field = field;

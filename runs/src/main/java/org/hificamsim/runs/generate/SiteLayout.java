@@ -25,8 +25,8 @@ import org.hificamsim.core.scenario.track.Track;
  * <p>The hash of a benchmark's task depends on the names of this record's components.
  *
  * @param walls the largest share by which an obstacle may shrink, below 1
- * @param cameras the largest move of a camera in x and in y, metres
- * @param turn the largest turn of a camera, degrees
+ * @param cameras the largest move of a camera in x and in y, in metres
+ * @param turn the largest turn of a camera, in degrees
  * @param ways the largest distance in x and in y of a path's corner from a corner of the site,
  *     metres
  * @param training the first and last step of a recording at which training may begin; empty without

@@ -25,11 +25,11 @@ public final class HeatRecorder implements StepListener {
   private final Obstacles obstacles;
   private final ViewCells views;
 
-  /** By cell: the probability that no camera detects, in the steps that are being added. */
+  /** The probability that no camera detects, in the steps that are being added, by cell. */
   private final double[] chanceOfNone;
 
   /**
-   * By cell: the probability that exactly one camera detects, in the steps that are being added.
+   * The probability that exactly one camera detects, in the steps that are being added, by cell.
    */
   private final double[] chanceOfOne;
 
@@ -132,7 +132,7 @@ public final class HeatRecorder implements StepListener {
     return addedSteps + equalSteps;
   }
 
-  /** The map of the steps so far, of which there must be one or more. */
+  /** Returns the map of the steps so far; there has to be at least one. */
   public HeatMap map() {
     addEqualSteps();
     List<Place> places = IntStream.range(0, cells.count()).mapToObj(this::place).toList();

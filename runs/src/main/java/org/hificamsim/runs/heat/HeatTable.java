@@ -17,7 +17,7 @@ import org.hificamsim.runs.output.Table;
 
 /** Writes and reads a heat map as a table with a row per cell. */
 public final class HeatTable {
-  /** The unit in which shares and metres are rounded is a millionth. */
+  /** The number of parts of a unit to which shares and metres are rounded. */
   private static final double MILLIONTHS = 1e6;
 
   private static final double ROUNDING = 1e-5;

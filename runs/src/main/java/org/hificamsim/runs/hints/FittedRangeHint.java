@@ -21,7 +21,9 @@ import org.hificamsim.runs.ShortNumber;
  * the model was fitted on, where that is known.
  */
 final class FittedRangeHint {
-  /** The least focal length of a lens, metres; a smaller one stands for a camera without a lens. */
+  /**
+   * The least focal length of a lens, in metres; a smaller one stands for a camera without a lens.
+   */
   private static final double MIN_FOCAL_LENGTH = 1e-6;
 
   private FittedRangeHint() {}

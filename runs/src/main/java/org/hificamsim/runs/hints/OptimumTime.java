@@ -27,7 +27,7 @@ public final class OptimumTime {
   private static final int FEW_STEPS = 4;
   private static final int MANY_STEPS = 64;
 
-  /** Steps are tried among this many first steps of a run. */
+  /** The number of first steps of a run among which steps are tried. */
   private static final int FIRST_STEPS = 1024;
 
   /** The limit of search nodes in a step that is tried; a real step may use 100 times as many. */

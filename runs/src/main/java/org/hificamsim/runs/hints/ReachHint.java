@@ -55,7 +55,7 @@ final class ReachHint {
             remedy(scenario, median, catalogue)));
   }
 
-  /** The distances of targets from the camera nearest to them, metres, in ascending order. */
+  /** The distances of targets from the camera nearest to them, in metres, in ascending order. */
   private static double[] distances(World world, int targets, int steps) {
     DoubleStream.Builder distances = DoubleStream.builder();
     for (int step = 0; step < steps; step++) {

@@ -6,9 +6,9 @@ import org.hificamsim.core.scenario.Scenario;
 public enum Detail {
   /** The coverage of all cameras together. */
   STEPS,
-  /** Also the zoom level of each camera and the position of each target. */
+  /** The measures, and the zoom level of each camera and the position of each target. */
   ZOOMS,
-  /** Also the direction and angle of view of cameras with optics. */
+  /** In addition, the direction and angle of view of cameras with optics. */
   VIEWS;
 
   /** The most detailed recording of a scenario. */

@@ -50,7 +50,9 @@ final class Shares {
     return new BrentSolver(PRECISION / 10).solve(MAX_EVALUATIONS, excess, from, to);
   }
 
-  /** Hanley and McNeil's variance of the mean over scenarios that all have this probability. */
+  /**
+   * Returns Hanley and McNeil's variance of the mean over scenarios that all have this probability.
+   */
   private static double variance(double probability, Strata policy, Strata other) {
     double sum = 0;
     int scenarios = 0;

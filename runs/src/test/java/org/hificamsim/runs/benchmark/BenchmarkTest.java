@@ -44,7 +44,9 @@ class BenchmarkTest {
     assertEquals(12, names().size());
   }
 
-  /** When this fails, a task has changed: add it as the next version, and restore the old one. */
+  /**
+   * If this test fails, a task has changed: add it as the next version, and restore the old one.
+   */
   @ParameterizedTest
   @MethodSource("names")
   void tasksAreUnchanged(String name) {

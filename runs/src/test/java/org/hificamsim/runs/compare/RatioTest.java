@@ -23,7 +23,7 @@ class RatioTest {
   }
 
   @Test
-  void textTellsIfEverySeedGivesSameValue() {
+  void textSaysIfEverySeedGivesSameValue() {
     Estimate same = new Ratio(new double[] {9, 9, 9}, new double[] {10, 10, 10}).estimate();
     assertEquals(new Estimate(0.9, 0.9, 0.9), same);
     assertEquals("0.90 in every seed", same.text("%.2f"));

@@ -89,7 +89,7 @@ class RunKeyTest {
   }
 
   @Test
-  void tellsWhichInputHasChanged() throws IOException {
+  void namesChangedInput() throws IOException {
     RunKey key = key(scenario(), model("0.0224"), 0.05);
     assertEquals(
         Optional.of("detection 'mine'"), key.changed(key(scenario(), model("0.0360"), 0.05)));

@@ -56,7 +56,7 @@ class PairsTest {
   }
 
   @Test
-  void oneDifferenceHasNoPValue() {
+  void singleDifferenceHasNoPValue() {
     assertTrue(Double.isNaN(PairedTest.p(new double[] {1})));
   }
 
