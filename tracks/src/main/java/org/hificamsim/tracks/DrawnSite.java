@@ -25,7 +25,7 @@ public final class DrawnSite {
   private final DraftCameras draft;
 
   /**
-   * @param drawn the field around the whole drawing, metres
+   * @param drawn the field around the whole drawing, in metres
    * @param walkable borders of areas that people walk in, which become zones
    */
   public DrawnSite(SiteSettings settings, Field drawn, List<List<Point>> walkable) {
@@ -42,7 +42,7 @@ public final class DrawnSite {
             field, obstacles, positions(true), settings.cameras(), SiteQuestion.PIXELS_PER_METRE);
   }
 
-  /** The field of a picture ends where the picture does. */
+  /** Returns the field of a picture, which ends where the picture does, with a margin. */
   private static Field widened(Field picture, double margin) {
     return new Field(
         picture.minX() - margin,
@@ -62,7 +62,10 @@ public final class DrawnSite {
         Math.max(minY + 1, Math.ceil(drawn.maxY() + margin)));
   }
 
-  /** Positions all over the zones, or over the field without zones; only free ones if asked. */
+  /**
+   * Returns positions all over the zones, or over the field if there are none; on request only free
+   * ones.
+   */
   PeoplePositions positions(boolean freeOnly) {
     PeoplePositions positions = new PeoplePositions();
     for (Point point :
@@ -74,7 +77,7 @@ public final class DrawnSite {
     return positions;
   }
 
-  /** The field, metres. */
+  /** The field, in metres. */
   public Field field() {
     return field;
   }

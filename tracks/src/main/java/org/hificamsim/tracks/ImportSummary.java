@@ -20,13 +20,13 @@ public final class ImportSummary {
   private static final MathContext FOUR_DIGITS = new MathContext(4);
   private static final String JUMP = "target %s jumps %s m before %s s, %s m/s";
 
-  /** A jump is this many times as fast as usual. */
+  /** The least factor by which a jump is faster than usual. */
   private static final double JUMP_FACTOR = 5;
 
-  /** The usual speed is at least this, metres per second, even if all targets stand still. */
+  /** The least usual speed, in metres per second, even if all targets stand still. */
   private static final double MIN_SPEED = 0.1;
 
-  /** Quantiles are rounded to multiples of this, metres per second. */
+  /** The unit to which quantiles are rounded, in metres per second. */
   private static final double SPEED_STEP = 0.01;
 
   private static final int MAX_LISTED_JUMPS = 3;
@@ -55,15 +55,16 @@ public final class ImportSummary {
   /**
    * A target's move between two samples.
    *
-   * @param time when the move ends, seconds
-   * @param length metres
-   * @param speed metres per second
+   * @param time when the move ends, in seconds
+   * @param length the length in metres
+   * @param speed the speed in metres per second
    */
   private record Move(String target, double time, double length, double speed) {}
 
   /**
-   * @param interval usual time between two samples of a target, seconds
-   * @param gap the longest time between two samples of a target that is present meanwhile, seconds
+   * @param interval usual time between two samples of a target, in seconds
+   * @param gap the longest time between two samples of a target that is present meanwhile, in
+   *     seconds
    * @param obstacles obstacles; the summary reports tracks that pass through them
    */
   ImportSummary(RecordedTargets recorded, double interval, double gap, Obstacles obstacles) {
@@ -185,22 +186,22 @@ public final class ImportSummary {
     return times.getCount();
   }
 
-  /** The usual time between two samples of a target, seconds. */
+  /** The usual time between two samples of a target, in seconds. */
   double interval() {
     return interval;
   }
 
-  /** The time of the last sample, seconds from the start. */
+  /** The time of the last sample, in seconds from the start. */
   double duration() {
     return times.getMax();
   }
 
-  /** The longest time between two samples of a target that is present meanwhile, seconds. */
+  /** The longest time between two samples of a target that is present meanwhile, in seconds. */
   double gap() {
     return gap;
   }
 
-  /** The bounding box of all samples, metres. */
+  /** The bounding box of all samples, in metres. */
   Field box() {
     return new Field(xs.getMin(), xs.getMax(), ys.getMin(), ys.getMax());
   }

@@ -15,13 +15,13 @@ import org.hificamsim.tracks.format.Omission;
  * sign that it is read in the wrong way.
  */
 final class LeftOut {
-  /** A file may have this many faulty rows, whatever their share. */
+  /** The number of faulty rows that a file may have, regardless of their share. */
   private static final long FEW = 3;
 
-  /** A file with a greater share of faulty rows is refused. */
+  /** The greatest share of faulty rows; a file with more of them is rejected. */
   private static final double MAX_SHARE = 0.1;
 
-  /** After this many faulty rows without a sample, reading stops. */
+  /** The number of faulty rows without a sample after which reading stops. */
   private static final long MANY = 10_000;
 
   private static final class Kind {

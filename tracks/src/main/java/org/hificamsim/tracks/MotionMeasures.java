@@ -12,11 +12,11 @@ import org.hificamsim.tracks.RecordedTarget.Sample;
  *
  * @param targets the number of targets
  * @param firstTick the time of the first sample in the units of its file
- * @param interval the usual time between two samples of a target, seconds
- * @param speeds of moves to another place, in ascending order, metres per second
+ * @param interval the usual time between two samples of a target, in seconds
+ * @param speeds the speeds of moves to another place, in ascending order, in metres per second
  * @param moves the number of moves, with those to the same place
- * @param least the position with the least x and y of all, metres
- * @param greatest the position with the greatest x and y of all, metres
+ * @param least the position with the least x and y of all, in metres
+ * @param greatest the position with the greatest x and y of all, in metres
  * @param flags the values of x and y if they are few whole numbers; else empty
  */
 record MotionMeasures(
@@ -85,7 +85,7 @@ record MotionMeasures(
         : sorted[Math.max(0, (int) Math.ceil(share * sorted.length) - 1)];
   }
 
-  /** The longer side of the rectangle around all positions, metres. */
+  /** The longer side of the rectangle around all positions, in metres. */
   double extent() {
     return Math.max(greatest[0] - least[0], greatest[1] - least[1]);
   }

@@ -12,34 +12,34 @@ import org.hificamsim.tracks.format.Unit;
  * @param unit the unit in which positions were read
  */
 record MotionSigns(MotionMeasures motion, Unit unit) {
-  /** Moving people are never slower than this in a recording, metres per second. */
+  /** The least speed of moving people in a recording, in metres per second. */
   private static final double CRAWLING = 0.01;
 
-  /** A degree is about 100 km, so that people move less than this in degrees a second. */
+  /** The greatest speed of people in degrees a second, since a degree is about 100 km. */
   private static final double DEGREES_PER_SECOND = 1e-3;
 
-  /** The median speed of people read 25 times too slowly, metres per second. */
+  /** The median speed of people read 25 times too slowly, in metres per second. */
   private static final double SLOW = 0.1;
 
   private static final double FAST = 60;
   private static final double TOO_FAST = 100;
 
-  /** The extent from which on positions are doubtful, metres. */
+  /** The extent from which positions are doubtful, in metres. */
   private static final double MAX_EXTENT = 1e5;
 
   private static final int MIN_MOVES = 10;
 
-  /** The time between samples from which on they may be milliseconds, seconds. */
+  /** The time between samples, in seconds, from which it may really be in milliseconds. */
   private static final double SELDOM = 10;
 
-  /** Times from here on are dates, seconds. */
+  /** The least time that is a date, in seconds. */
   private static final double DATES = 1e8;
 
   private static final double MILLISECONDS_PER_SECOND = 1000;
   private static final String MILLISECONDS_CURE =
       setting("columns", "frame=...") + " and " + setting("rate", "1000");
 
-  /** A standing target needs more room than a square with this side, metres. */
+  /** The side of a square that is too small for a standing target, in metres. */
   private static final double NO_ROOM = 0.1;
 
   private static final int MIN_SINGLE_SAMPLES = 3;

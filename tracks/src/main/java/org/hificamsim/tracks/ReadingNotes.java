@@ -65,7 +65,7 @@ final class ReadingNotes {
     return lines;
   }
 
-  /** Describes samples that repeat the one before; empty if there are none. */
+  /** Describes samples that repeat the previous one; empty if there are none. */
   List<String> duplicateLines() {
     return duplicates == 0
         ? List.of()

@@ -25,9 +25,9 @@ final class RecordedTarget {
   /**
    * The position of a target at one time.
    *
-   * @param time in ticks of the recording, or in seconds for a track
-   * @param x metres
-   * @param y metres
+   * @param time the time in ticks of the recording, or in seconds for a track
+   * @param x the x coordinate in metres
+   * @param y the y coordinate in metres
    */
   record Sample(double time, double x, double y) {}
 
@@ -195,7 +195,7 @@ final class RecordedTarget {
     return runs;
   }
 
-  /** The length of the way from sample to sample, metres. */
+  /** The length of the way from sample to sample, in metres. */
   double length() {
     double length = 0;
     for (int i = 1; i < samples.size(); i++) {
@@ -231,7 +231,7 @@ final class RecordedTarget {
    *
    * @param first the time of the recording's first sample, ticks
    * @param settings the part of the recording that is kept
-   * @param gap the longest time between two samples of a track, seconds
+   * @param gap the longest time between two samples of a track, in seconds
    */
   List<List<Sample>> tracks(
       double first, double secondsPerTick, TrackSettings settings, double gap) {

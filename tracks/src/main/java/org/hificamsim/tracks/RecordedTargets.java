@@ -19,7 +19,7 @@ record RecordedTargets(
     Collection<RecordedTarget> targets, double secondsPerTick, ReadingNotes notes) {
   private static final Pattern WHOLE_NUMBER = Pattern.compile("-?(0|[1-9][0-9]{0,14})");
 
-  /** The most frequent spacing is the usual one if it has this share; otherwise the median is. */
+  /** The least share of the most frequent spacing to be the usual one; otherwise the median is. */
   private static final double USUAL_SHARE = 0.1;
 
   /** Whether the names of all targets are whole numbers, so that a scenario can use them. */
@@ -32,7 +32,7 @@ record RecordedTargets(
     return targets.stream().mapToDouble(RecordedTarget::firstTime).min().orElse(0);
   }
 
-  /** The usual time between samples, seconds. */
+  /** The usual time between samples, in seconds. */
   double interval() {
     return spacing(targets) * secondsPerTick;
   }

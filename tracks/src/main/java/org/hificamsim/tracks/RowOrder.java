@@ -11,12 +11,14 @@ import org.hificamsim.core.Texts;
 import org.hificamsim.tracks.format.Doubt;
 
 /**
- * Puts the rows of targets that are not in the order of time in this order. Where time goes back
- * because another recording begins, the order of time mixes both, so that targets jump back and
- * forth.
+ * Puts the rows of targets that are not in the order of time in this order. If time goes back
+ * because another recording begins, sorting by time mixes both, and targets jump back and forth.
  */
 final class RowOrder {
-  /** If ways become longer than this factor in the order of time, there are several recordings. */
+  /**
+   * The factor by which ways may become longer in the order of time; beyond it, there are several
+   * recordings.
+   */
   private static final double MAX_RATIO = 2;
 
   private final boolean reusesIds;

@@ -13,9 +13,9 @@ import org.hificamsim.core.scenario.spec.Floorplan;
  * @param name name of the scenario
  * @param source the recording, whose name is in a comment
  * @param cameras the number of cameras to place as a first draft
- * @param margin margin of the field around all samples, metres
- * @param step the length of a step, seconds; the time between two samples by default
- * @param walls the walls and solids, metres
+ * @param margin margin of the field around all samples, in metres
+ * @param step the length of a step, in seconds; the time between two samples by default
+ * @param walls the walls and solids, in metres
  * @param floorplan the picture's name in the scenario's folder and the area that it shows
  */
 public record SiteSettings(

@@ -7,12 +7,12 @@ import org.hificamsim.core.scenario.spec.Field;
 
 /** Finds signs that a floor plan was read at a wrong scale, or with a wrong choice of walls. */
 record SiteSigns(DrawnSite site) {
-  /** Sites are seldom smaller or larger than these sizes, metres. */
+  /** The size below which sites are rare, in metres. */
   private static final double SMALL = 2;
 
   private static final double LARGE = 2_000;
 
-  /** A site larger than this has coordinates in another unit, metres. */
+  /** The size in metres beyond which a site has coordinates in another unit. */
   private static final double HUGE = 50_000;
 
   void addTo(Plausibility signs) {

@@ -12,7 +12,7 @@ public final class TrackedSite {
   /** The default margin, as a share of the longer side. */
   private static final double MARGIN = 0.1;
 
-  /** The least default margin, metres. */
+  /** The least default margin, in metres. */
   private static final double MIN_MARGIN = 1;
 
   /** The rounding error that is tolerated in the number of steps. */
@@ -55,12 +55,12 @@ public final class TrackedSite {
         Math.ceil(box.maxY() + margin));
   }
 
-  /** The field, metres. */
+  /** The field, in metres. */
   public Field field() {
     return field;
   }
 
-  /** The time of a step, seconds. */
+  /** The time of a step, in seconds. */
   public double step() {
     return settings.step().orElse(interval);
   }

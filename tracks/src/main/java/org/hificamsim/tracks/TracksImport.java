@@ -14,14 +14,14 @@ import org.hificamsim.tracks.ground.LocalProjection;
 
 /** Reads and checks a recording, and writes it as a file of tracks. */
 public final class TracksImport {
-  /** The tolerance within which a sample's time is rounded to the interval, seconds. */
+  /** The tolerance within which a sample's time is rounded to the interval, in seconds. */
   private static final double TIME_TOLERANCE = 1e-6;
 
   private final List<FormatChoice> files;
   private final RecordedTargets recorded;
   private final double firstTick;
 
-  /** The usual time between two samples of a target, seconds. */
+  /** The usual time between two samples of a target, in seconds. */
   private final double interval;
 
   /**

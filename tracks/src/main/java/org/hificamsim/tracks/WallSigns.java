@@ -10,7 +10,9 @@ import org.hificamsim.core.obstacle.Point;
 
 /** Finds signs that the walls do not fit the recording. */
 record WallSigns(ImportSummary summary, Obstacles obstacles) {
-  /** An obstacle with at least this share of the samples is probably a walkable area. */
+  /**
+   * The share of the samples from which an obstacle that contains them is probably a walkable area.
+   */
   static final double NEARLY_ALL = 0.9;
 
   void addTo(Plausibility signs) {

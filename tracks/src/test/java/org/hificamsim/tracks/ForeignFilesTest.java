@@ -64,7 +64,7 @@ class ForeignFilesTest {
         "05/06/2024 8:00:00|13/06/2024 8:00:00|expected a date such as 2024-05-31: the file does",
         "1.234,5|1.235,5|expected a number without separators of thousands",
       })
-  void refusesAmbiguousTimes(String first, String second, String message) {
+  void rejectsAmbiguousTimes(String first, String second, String message) {
     String table = "time;id;x;y\n" + first + ";1;0;0\n" + (second + ";1;1;0\n").repeat(4);
     InputException error =
         assertThrows(
@@ -74,7 +74,7 @@ class ForeignFilesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"1.234,5", "1,234.5", "1'234,5", "1 234,5"})
-  void refusesSeparatorsOfThousands(String x) {
+  void rejectsSeparatorsOfThousands(String x) {
     InputException error =
         assertThrows(
             InputException.class,
@@ -126,7 +126,7 @@ class ForeignFilesTest {
   }
 
   @Test
-  void refusesColumnOfLatitudesForX() {
+  void rejectsColumnOfLatitudesForX() {
     Imported imported = new Imported(folder).unit(Unit.DEG).columns(Map.of("x", "Lat", "y", "Lon"));
     InputException error =
         assertThrows(

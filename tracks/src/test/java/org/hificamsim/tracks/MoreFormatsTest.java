@@ -74,16 +74,16 @@ class MoreFormatsTest {
   }
 
   @Test
-  void refusesSplinesThatEndEarly() {
-    assertRefused("vsp", VSP.substring(0, 100), "the file ends, expected 3 control points");
-    assertRefused(
+  void rejectsSplinesThatEndEarly() {
+    assertRejected("vsp", VSP.substring(0, 100), "the file ends, expected 3 control points");
+    assertRejected(
         "vsp", "2\n1\n1 2 3 4\nx\n", ":4:1: number of control points is 'x', expected a whole");
-    assertRefused(
+    assertRejected(
         "vsp", "1\n2\n0 0 9 0\n1 1 8 0\n", ":4:1: the frame goes from 9.0 to 8.0, expected");
-    assertRefused("vsp", "1\n2\n0 0 9 0\n1 1 1e9 0\n", ":4:1: the frame goes from 9.0 to 1.0E9");
+    assertRejected("vsp", "1\n2\n0 0 9 0\n1 1 1e9 0\n", ":4:1: the frame goes from 9.0 to 1.0E9");
   }
 
-  private void assertRefused(String format, String content, String message) {
+  private void assertRejected(String format, String content, String message) {
     Imported imported = pixels();
     InputException error = assertThrows(InputException.class, () -> imported.read(format, content));
     assertTrue(error.getMessage().contains(message), error::getMessage);

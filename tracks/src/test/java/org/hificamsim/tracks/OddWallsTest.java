@@ -77,8 +77,8 @@ class OddWallsTest {
     String table =
         "kind,geometry\nouter,\"LINESTRING (0 0, 1 0)\"\ninner,\"LINESTRING (0 0, 2 0)\"\n";
     assertEquals(1, drawing("b.csv", table, "kind=inner").obstacles(false).size());
-    assertRefused("c.csv", "a,b\n1,2\n", "c.csv:1:1: the columns are a, b, expected wkt or");
-    assertRefused("d.csv", "wkt\nLINES 5\n", "d.csv:2:1: Unknown geometry type");
+    assertRejected("c.csv", "a,b\n1,2\n", "c.csv:1:1: the columns are a, b, expected wkt or");
+    assertRejected("d.csv", "wkt\nLINES 5\n", "d.csv:2:1: Unknown geometry type");
   }
 
   @Test
@@ -113,14 +113,14 @@ class OddWallsTest {
                 + " 0 ENDSEC 0 SECTION 2 ENTITIES 0 LINE 8 Cold 10 0 20 0 11 4 21 0"
                 + " 0 LINE 8 Warm 10 0 20 0 11 4 21 0 0 ENDSEC 0 EOF")
             .replace(' ', '\n');
-    assertRefused("a.dxf", dxf, "layers is 'COLD', which is hidden, off or frozen", "COLD");
+    assertRejected("a.dxf", dxf, "layers is 'COLD', which is hidden, off or frozen", "COLD");
     String svg =
         "<svg height='9'><g id='old' style='display:none'><path d='M0,0 h5'/></g>"
             + "<path id='new' d='M0,0 h5'/></svg>";
-    assertRefused("a.svg", svg, "layers is 'old', which is hidden, off or frozen", "old");
+    assertRejected("a.svg", svg, "layers is 'old', which is hidden, off or frozen", "old");
   }
 
-  private void assertRefused(String name, String text, String message, String... layers) {
+  private void assertRejected(String name, String text, String message, String... layers) {
     InputException error =
         assertThrows(InputException.class, () -> drawing(name, text, layers).obstacles(false));
     assertTrue(error.getMessage().contains(message), error::getMessage);

@@ -40,7 +40,7 @@ class PlacesTest {
   @TempDir Path folder;
 
   @Test
-  void readsLinesOfXml() {
+  void readsWallsFromLinesOfXml() {
     assertEquals(
         List.of(new Obstacle.Wall(6, 2, 0, 2, 0)),
         walls(

@@ -68,7 +68,7 @@ class RowOrderTest {
   }
 
   @Test
-  void refusesTwoPlacesAtOneTimeInAnyOrder() {
+  void rejectsTwoPlacesAtOneTimeInAnyOrder() {
     InputException error =
         assertThrows(
             InputException.class,

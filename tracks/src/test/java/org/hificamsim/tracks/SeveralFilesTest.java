@@ -112,7 +112,7 @@ class SeveralFilesTest {
   }
 
   @Test
-  void refusesRoutes() {
+  void rejectsRoutes() {
     InputException error =
         assertThrows(
             InputException.class,

@@ -251,14 +251,14 @@ class SvgWallsTest {
         "<!DOCTYPE svg [<!ENTITY a 'b>]><svg/>",
         "<?a > ?><!-- > --><!DOCTYPE svg [<!-- ' --><!ENTITY a \"b\">",
       })
-  void rejectsCutDocumentType(String svg) {
+  void rejectsDocumentTypeWithoutEnd(String svg) {
     InputException error =
         assertThrows(InputException.class, () -> drawing(svg, new PlanScale.PerUnit(1)));
     assertTrue(error.getMessage().contains("document type is cut off, expected"), svg);
   }
 
   @Test
-  void stopsBombsOfEntities() {
+  void stopsExponentialExpansionOfEntities() {
     StringBuilder type = new StringBuilder("<!DOCTYPE svg [<!ENTITY e0 'aaaaaaaaaa'>");
     for (int i = 1; i < 12; i++) {
       type.append("<!ENTITY e").append(i).append(" '");
@@ -274,7 +274,7 @@ class SvgWallsTest {
   }
 
   @Test
-  void stopsBombsOfUse() {
+  void stopsExponentialExpansionOfUse() {
     String bomb =
         IntStream.range(0, 30)
             .mapToObj(

@@ -16,7 +16,7 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Tests imports, whatever the format. */
+/** Tests imports independently of the format. */
 class TracksImportTest {
   @TempDir Path folder;
 

@@ -10,7 +10,7 @@ import java.util.function.DoubleSupplier;
  *     the number of ticks between them
  */
 public record Clock(double rate, boolean countsSamples) {
-  /** Ticks are seconds. */
+  /** The clock whose ticks are seconds. */
   public static final Clock SECONDS = new Clock(1, false);
 
   /** Whether ticks are frames, which have whole numbers. */

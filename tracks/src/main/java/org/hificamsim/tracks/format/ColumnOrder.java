@@ -8,14 +8,14 @@ import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.Fields;
 
 /**
- * Tells the columns of ids and frames apart in rows that have both, then x and y: from row to row
+ * Distinguishes the columns of ids and frames in rows that have both, then x and y: from row to row
  * of an id, a target moves less than from one target to another.
  */
 final class ColumnOrder {
   private static final int X = 2;
   private static final int Y = 3;
 
-  /** With the wrong column, steps are at least this many times as long. */
+  /** The least factor by which the wrong column lengthens steps. */
   private static final double CLEAR = 3;
 
   private ColumnOrder() {}

@@ -12,17 +12,20 @@ import org.hificamsim.core.Texts;
  * latitude, read as metres, are a hundred thousand times too short.
  */
 final class FcdSpeeds {
-  /** Positions whose way is shorter by more than this factor are not in metres. */
+  /**
+   * The factor by which ways may be shorter than speeds say; beyond it, positions are not in
+   * metres.
+   */
   private static final double MAX_RATIO = 1000;
 
-  /** The shortest expected way that is compared, metres. */
+  /** The shortest expected way that is compared, in metres. */
   private static final double MIN_EXPECTED = 1;
 
   private final Map<String, TrackSample> last = new HashMap<>();
   private double moved;
   private double expected;
 
-  /** Adds a sample with the speed in the file, metres per second; NaN if it has none. */
+  /** Adds a sample with the speed in the file, in metres per second; NaN if it has none. */
   void add(TrackSample sample, double speed) {
     TrackSample before = last.put(sample.target(), sample);
     if (before != null && speed > 0 && sample.tick() > before.tick()) {

@@ -115,8 +115,8 @@ public record FormatChoice(
   }
 
   /**
-   * Returns the error of a file that is read in another format than it looks like, if it does; else
-   * the fault, with the format if the user did not name it.
+   * Returns the error that the file looks like another format, if it does; else the fault, with the
+   * format if the user did not name it.
    */
   public InputException wrongFormat(InputException fault) {
     if (reason.isPresent()) {
@@ -143,7 +143,7 @@ public record FormatChoice(
         .because(fault);
   }
 
-  /** Says which format was recognised, and by what; empty if the user names it. */
+  /** Returns the line that says which format was recognised and why; empty if the user named it. */
   public Optional<String> line() {
     return reason.map(
         words ->

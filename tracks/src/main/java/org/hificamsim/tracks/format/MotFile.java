@@ -31,10 +31,10 @@ public final class MotFile {
    * @param place the row's place in the file
    * @param frame number of the frame, from 1
    * @param target the number of the target
-   * @param left the left edge of the box, pixels
+   * @param left the left edge of the box, in pixels
    * @param top the upper edge of the box, pixels down from the picture's upper edge
-   * @param width width of the box, pixels
-   * @param height height of the box, pixels
+   * @param width width of the box, in pixels
+   * @param height height of the box, in pixels
    * @param confidence 0 if the row is to be ignored; 1 if the file has no confidences
    * @param x position in the world; NaN if the file has none
    * @param y position in the world; NaN if the file has none

@@ -26,7 +26,10 @@ final class MotFormat implements TrackFormat {
           MotFile.BOX_COLUMNS,
           MotFile.COLUMNS_WITH_WORLD);
 
-  /** Trackers also write all columns between blanks; rows with fewer are of another format. */
+  /**
+   * The shape of rows with blanks between all columns, as some trackers write them; rows with fewer
+   * columns are of another format.
+   */
   private static final RowShape BLANK_SHAPE =
       RowShape.blanks("MOTChallenge", MotFile.COLUMNS_WITH_WORLD, MotFile.COLUMNS_WITH_WORLD);
 

@@ -12,7 +12,7 @@ public enum Omission {
   OTHER_COLUMNS("with another number of columns", true),
   /** The format marks the position as one to be predicted. */
   UNKNOWN_PLACE("whose place is unknown", false),
-  /** Id and position are empty: the row is about something else than the named columns. */
+  /** The id and position are empty, because the row is about something else. */
   OTHER_THING("with neither id nor place", false),
   /** The format marks the row as unused: confidence 0, lost, or a predicted alternative. */
   MARKED("that the file marks as not to be used", false),

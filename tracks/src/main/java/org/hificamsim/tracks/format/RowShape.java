@@ -11,7 +11,7 @@ import java.util.Set;
  * @param most greatest number of columns
  */
 record RowShape(String format, Set<Separator> separators, int least, int most) {
-  /** Rows between blanks or tabs. */
+  /** Returns the shape of rows separated by blanks or tabs. */
   static RowShape blanks(String format, int least, int most) {
     return new RowShape(format, Set.of(Separator.BLANKS, Separator.TABS), least, most);
   }

@@ -6,8 +6,8 @@ import org.hificamsim.core.Place;
 
 /**
  * A cubic curve through control points in time. The velocity at each point leads from the point
- * before to the point after (Catmull and Rom 1974, for points at unequal times). Where points are
- * on a line and evenly spaced, so are the samples.
+ * before to the point after (Catmull and Rom 1974, for points at unequal times). If points are on a
+ * line and evenly spaced, the samples are as well.
  */
 final class Spline {
   /**
@@ -31,7 +31,7 @@ final class Spline {
   }
 
   /**
-   * Adds the next control point; one at the frame of the point before is ignored.
+   * Adds the next control point; a point at the frame of the previous one is ignored.
    *
    * @throws org.hificamsim.core.InputException if it is at an earlier frame than the one before, or
    *     much later

@@ -6,8 +6,8 @@ import java.util.List;
 import org.hificamsim.core.file.Fields;
 
 /**
- * Reads the column of a format that counts frames. Some files have times there: dates, times of
- * day, or Unix times.
+ * Reads the column of a format that counts frames. Some files have dates, times of day or Unix
+ * times in that column.
  */
 final class Ticks {
   /** The number of rows that decide between times and frames; the first may be names and units. */

@@ -21,7 +21,10 @@ final class Times {
   /** The least number of seconds that is a Unix time: a day in 1973. */
   static final double FIRST_UNIX_TIME = 1e8;
 
-  /** Greater numbers count milliseconds; a thousand times greater ones microseconds, and so on. */
+  /**
+   * The greatest number of seconds. Greater numbers are milliseconds, those a thousand times
+   * greater microseconds, and so on.
+   */
   private static final double MAX_SECONDS = 1e11;
 
   private static final double DAY = 86_400;

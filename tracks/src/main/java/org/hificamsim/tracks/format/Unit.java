@@ -8,7 +8,7 @@ public enum Unit {
   CM(0.01),
   /** Millimetres. */
   MM(0.001),
-  /** Pixels of a picture, y down; a homography converts them to metres. */
+  /** Pixels of a picture, where y points down; a homography converts them to metres. */
   PX(Double.NaN),
   /** Degrees of longitude and latitude (WGS84). */
   DEG(Double.NaN);

@@ -27,8 +27,8 @@ public final class LocalProjection implements Ground {
   /**
    * Creates a projection about a point.
    *
-   * @param longitude degrees
-   * @param latitude degrees
+   * @param longitude the longitude in degrees
+   * @param latitude the latitude in degrees
    */
   public LocalProjection(double longitude, double latitude) {
     setOrigin(longitude, latitude);
@@ -44,12 +44,12 @@ public final class LocalProjection implements Ground {
         Math.toRadians(EQUATORIAL_RADIUS * (1 - ECCENTRICITY_SQUARED) / (w * w * w));
   }
 
-  /** The longitude of the origin, degrees; NaN if it has not been set. */
+  /** The longitude of the origin, in degrees; NaN if it has not been set. */
   public double longitude() {
     return longitude;
   }
 
-  /** The latitude of the origin, degrees. */
+  /** The latitude of the origin, in degrees. */
   public double latitude() {
     return latitude;
   }

@@ -17,7 +17,7 @@ import org.hificamsim.core.world.Targets;
  * Every second target is slow and carries twice as much.
  */
 final class ArenaLayout {
-  /** The difference between the angles of view of a lens, degrees. */
+  /** The difference between the angles of view of a lens, in degrees. */
   static final double ANGLE_STEP = 0.5;
 
   static final double NARROWEST_ANGLE = 30;

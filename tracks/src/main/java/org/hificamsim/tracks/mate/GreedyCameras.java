@@ -22,7 +22,7 @@ final class GreedyCameras implements AimingZoomPolicy {
   private final SeenPairs pairs = new SeenPairs();
   private double[] pan = {};
 
-  /** The angle of view of each camera, degrees. */
+  /** The angle of view of each camera, in degrees. */
   private double[] angle = {};
 
   // The position where each target was last seen, and the number of steps since then.

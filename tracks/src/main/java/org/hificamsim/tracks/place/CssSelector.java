@@ -107,7 +107,10 @@ final class CssSelector {
         .orElse(last.type());
   }
 
-  /** How specific the selector is: ids, then classes and attributes, then types. */
+  /**
+   * Returns the specificity of the selector: it counts ids, then classes and attributes, then
+   * types.
+   */
   int specificity() {
     int total = 0;
     for (Compound compound : compounds) {

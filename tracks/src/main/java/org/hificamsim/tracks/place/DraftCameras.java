@@ -29,7 +29,7 @@ public final class DraftCameras {
   /** The number of positions between the border and the middle. */
   private static final int RINGS = 40;
 
-  /** The pixels per metre that cameras need to see somebody. */
+  /** The pixels per metre at which cameras see a person. */
   private final double pixelsPerMetre;
 
   private final Field field;
@@ -64,7 +64,7 @@ public final class DraftCameras {
     return Collections.unmodifiableList(cameras);
   }
 
-  /** A warning that no camera sees anybody, with the reason; empty if one sees somebody. */
+  /** A warning that no camera sees anybody, with the reason; empty if one does. */
   public Optional<String> blindnessWarning() {
     if (cameras.isEmpty()
         || cameras.stream()
@@ -103,7 +103,7 @@ public final class DraftCameras {
     };
   }
 
-  /** The distance at which a picture has the pixels per metre that are needed, metres. */
+  /** The distance at which a picture has the pixels per metre that are needed, in metres. */
   private double reach(double angleOfView) {
     double width = DraftOptics.DOME.pixels().orElseThrow() / pixelsPerMetre;
     return width / 2 / Math.tan(Math.toRadians(angleOfView) / 2);

@@ -94,7 +94,8 @@ public final class Drawing {
   }
 
   /**
-   * Reads the height of a shape, metres; infinite if it is invalid, which is counted as left out.
+   * Reads the height of a shape, in metres; infinite if it is invalid, which is counted as left
+   * out.
    */
   double height(DoubleSupplier reading) {
     try {
@@ -116,7 +117,7 @@ public final class Drawing {
     return bounds == null ? new Rectangle2D.Double() : bounds;
   }
 
-  /** The smallest field around the chosen shapes, metres. */
+  /** The smallest field around the chosen shapes, in metres. */
   public Field field() {
     Rectangle2D bounds = bounds();
     return new Field(bounds.getMinX(), bounds.getMaxX(), bounds.getMinY(), bounds.getMaxY());

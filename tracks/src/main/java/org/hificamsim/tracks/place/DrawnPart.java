@@ -6,7 +6,7 @@ import org.hificamsim.core.Place;
 /**
  * A shape of a drawing with its height.
  *
- * @param height metres; infinite if the drawing has none
+ * @param height the height in metres; infinite if the drawing has none
  */
 record DrawnPart(DrawnShape shape, double height) {
   /** The height and the labels that a drawing gives to a shape. */
@@ -32,7 +32,7 @@ record DrawnPart(DrawnShape shape, double height) {
   }
 
   /**
-   * Returns a height that a file has, metres.
+   * Returns a height that a file has, in metres.
    *
    * @throws org.hificamsim.core.InputException if it is not above 0
    */

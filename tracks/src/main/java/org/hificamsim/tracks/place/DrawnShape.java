@@ -61,7 +61,7 @@ sealed interface DrawnShape {
   /**
    * A round pillar.
    *
-   * @param radius metres, above 0
+   * @param radius the radius in metres, above 0
    */
   record Disc(Point centre, double radius) implements DrawnShape {
     @Override

@@ -9,7 +9,7 @@ import java.util.List;
 
 /** The curves of a DXF, with y upwards and angles counterclockwise. */
 final class DxfCurves {
-  /** Bulges below this are straight: the arc's height is this part of half its chord. */
+  /** The bulge below which an arc is straight: the arc's height as a part of half its chord. */
   private static final double STRAIGHT = 1e-6;
 
   private static final int STEPS_PER_SPAN = 16;
@@ -20,8 +20,8 @@ final class DxfCurves {
   /**
    * Returns an arc of a circle.
    *
-   * @param start degrees
-   * @param sweep degrees, positive counterclockwise
+   * @param start the start angle in degrees
+   * @param sweep the swept angle in degrees, positive counterclockwise
    */
   static Shape arc(double x, double y, double radius, double start, double sweep) {
     return new Arc2D.Double(
@@ -78,8 +78,8 @@ final class DxfCurves {
    *
    * @param axis the end of the major axis from the centre
    * @param ratio ratio of the minor axis to the major one
-   * @param start parameter, radians
-   * @param end parameter, radians
+   * @param start parameter, in radians
+   * @param end parameter, in radians
    */
   static Shape ellipse(double[] centre, double[] axis, double ratio, double start, double end) {
     double full = 2 * Math.PI;

@@ -6,7 +6,7 @@ import java.util.Map;
 
 /** The layers of a DXF. */
 final class DxfLayers {
-  /** Entities of a block on this layer take the layer of the insert that draws the block. */
+  /** The layer whose entities in a block take the layer of the insert that draws the block. */
   static final String LAYER_OF_INSERT = "0";
 
   private static final int FROZEN = 1;

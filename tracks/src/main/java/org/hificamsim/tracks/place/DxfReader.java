@@ -19,7 +19,7 @@ import org.hificamsim.core.Spelling;
  * little memory.
  */
 final class DxfReader {
-  /** A block with this flag is a reference to another file. */
+  /** The flag of a block that is a reference to another file. */
   private static final int IN_OTHER_FILE = 4;
 
   private static final int MAX_BLOCK_ENTITIES = 1_000_000;

@@ -19,10 +19,10 @@ import org.hificamsim.core.Nearest;
  * @param isForList whether shapes beyond the limit are counted, but not kept
  */
 public record LayerChoice(List<String> names, boolean isForList) {
-  /** Chooses everything. */
+  /** The choice of everything. */
   public static final LayerChoice ALL = new LayerChoice(List.of());
 
-  /** Chooses everything in a drawing of any size, to list its names only. */
+  /** The choice of everything in a drawing of any size, to list its names only. */
   public static final LayerChoice FOR_LIST = new LayerChoice(List.of(), true);
 
   /** Chooses by names. */

@@ -18,7 +18,7 @@ import org.hificamsim.tracks.place.DrawnPart.Traits;
  * @param toMetres the transform from the coordinates of the outline to metres
  */
 record OutlineMaker(Drawing drawing, Place place, AffineTransform toMetres, Traits traits) {
-  /** The largest distance of a chord from its curve, metres. */
+  /** The largest distance of a chord from its curve, in metres. */
   private static final double FLATNESS = 0.02;
 
   /** The kind of an outline. */

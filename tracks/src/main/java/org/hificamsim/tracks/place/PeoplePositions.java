@@ -32,7 +32,7 @@ public final class PeoplePositions {
     return way;
   }
 
-  /** Adds a position, metres. */
+  /** Adds a position, in metres. */
   public void add(double x, double y) {
     if (skipped++ % stride == 0) {
       points.add(new Point(x, y));

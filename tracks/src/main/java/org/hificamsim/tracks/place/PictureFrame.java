@@ -16,8 +16,8 @@ import org.hificamsim.core.scenario.spec.Field;
 /**
  * The position of a drawing or picture on the ground.
  *
- * @param x x of the lower left corner, metres
- * @param y y of the lower left corner, metres
+ * @param x x of the lower left corner, in metres
+ * @param y y of the lower left corner, in metres
  */
 public record PictureFrame(PlanScale scale, double x, double y) {
   /**
@@ -42,7 +42,7 @@ public record PictureFrame(PlanScale scale, double x, double y) {
         .error("the file is not a picture, expected a PNG or JPEG");
   }
 
-  /** A coordinate in millimetres, as people write it, metres. */
+  /** A coordinate in millimetres, as people write it, in metres. */
   private static double rounded(double metres) {
     return Math.rint(1000 * metres) / 1000;
   }

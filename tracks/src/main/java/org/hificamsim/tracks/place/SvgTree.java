@@ -80,7 +80,7 @@ final class SvgTree extends PlainXml {
     }
   }
 
-  /** Attributes by name; those of other languages keep their prefix, except a link's. */
+  /** Returns attributes by name; those of other languages keep their prefix, except a link's. */
   private static Map<String, String> texts(Attributes attributes) {
     Map<String, String> texts = new HashMap<>();
     for (int i = 0; i < attributes.getLength(); i++) {

@@ -20,7 +20,7 @@ import org.locationtech.jts.io.WKTReader;
 /**
  * Adds geometries in well-known text (OGC 06-103r4) to a drawing: lines become walls, polygons
  * solid obstacles, and polygons with holes the walls of their sides. Z, the same for all points of
- * a line or polygon, is the height of its walls, metres. Curves and surfaces are left out.
+ * a line or polygon, is the height of its walls, in metres. Curves and surfaces are left out.
  *
  * @param areWalkable whether people walk in the polygons, so that their borders are walls
  */
