@@ -79,7 +79,7 @@ public final class ObservedPlay {
     return belief() == null ? 0 : belief().messages();
   }
 
-  /** The length of these messages, bits. */
+  /** The length of these messages, in bits. */
   public long bits() {
     return belief() == null ? 0 : belief().bits();
   }

@@ -59,7 +59,7 @@ final class OneWorld implements StepListener {
   private int step;
 
   /**
-   * Creates a world; all but the first begin their first episode with their first reset.
+   * Creates a world; all except the first begin their first episode at their first reset.
    *
    * @param first the first world; null if this is the first
    */
@@ -187,7 +187,7 @@ final class OneWorld implements StepListener {
     listener = newListener;
   }
 
-  /** Keeps the actions of episodes from now on; to be called offset the start of an episode. */
+  /** Keeps the actions of episodes from now on; to be called at the start of an episode. */
   void keepHistory() {
     history = new EpisodeHistory();
   }
@@ -243,7 +243,7 @@ final class OneWorld implements StepListener {
     return actions;
   }
 
-  /** The advice of the expert offset the last decision. */
+  /** The advice of the expert at the last decision. */
   int[] advice() {
     return policy.advice();
   }

@@ -57,7 +57,10 @@ public final class PlayedPolicy implements ZoomPolicy {
     }
   }
 
-  /** By camera: the view that the expert chose at the last decision, or {@link #NO_ADVICE}. */
+  /**
+   * Returns the view that the expert chose for each camera at the last decision, or {@link
+   * #NO_ADVICE}.
+   */
   int[] advice() {
     return advice;
   }

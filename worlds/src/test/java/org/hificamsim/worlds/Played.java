@@ -11,7 +11,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 
-/** Worlds of a shipped scenario, played with random actions that depend on world and step alone. */
+/** Worlds of a shipped scenario, played with random actions that depend only on world and step. */
 final class Played implements AutoCloseable {
   static final Catalogue CATALOGUE = Catalogue.load();
 

@@ -1,2 +1,2 @@
-/** Policies that decide in a program of their own, which gets nothing but what cameras know. */
+/** Policies that decide in a program of their own, which gets only what cameras know. */
 package org.hificamsim.worlds.program;
