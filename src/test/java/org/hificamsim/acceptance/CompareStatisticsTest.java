@@ -165,6 +165,8 @@ class CompareStatisticsTest {
         assertTrue(number(row, "p_holm") >= number(row, "p_value"), row.toString());
       }
     }
+    long tests = pairs.stream().filter(row -> !row.get("p_value").isEmpty()).count();
+    assertEquals(12, tests, "the number that the terminal names");
     Map<String, String> first = pairs.get(0);
     Map<String, Double> values = metric(out, "proportion_of_optimal", first.get("policy"));
     Map<String, Double> otherValues = metric(out, "proportion_of_optimal", first.get("other"));

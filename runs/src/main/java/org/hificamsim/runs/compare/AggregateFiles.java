@@ -176,9 +176,11 @@ public final class AggregateFiles {
    */
   public static Optional<String> tooFewSeeds(List<CaseResult> cases, ReferencePolicy reference) {
     int tests =
-        PolicyPair.of(PolicyScores.of(cases), reference).stream()
-            .mapToInt(pair -> pair.first().cases().size())
-            .sum();
+        (int)
+            PolicyPair.of(PolicyScores.of(cases), reference).stream()
+                .flatMap(pair -> pair.inScenarios().stream())
+                .filter(pair -> pair.differences().length > 1) // otherwise it has no p-value
+                .count();
     int seeds = cases.get(0).runs().size();
     int least = PairedTest.leastSeeds(tests);
     return tests == 0 || seeds < 2 || seeds >= least
@@ -199,12 +201,13 @@ public final class AggregateFiles {
             .mapToDouble(Double::doubleValue)
             .toArray();
     double[] corrected = PairedTest.corrected(pValues);
+    int tests = PairedTest.tests(pValues);
     return IntStream.range(0, pValues.length)
         .mapToObj(
             i -> {
               PolicyPair.InScenario pair = inScenarios.get(i);
               Estimate mean = Estimate.mean(pair.differences());
-              return new Difference(pair, mean, pValues[i], corrected[i], pValues.length);
+              return new Difference(pair, mean, pValues[i], corrected[i], tests);
             });
   }
 }

@@ -97,6 +97,11 @@ public final class PairedTest {
     return corrected;
   }
 
+  /** The number of p-values that are corrected together: those that are not NaN. */
+  public static int tests(double[] pValues) {
+    return ascending(pValues).size();
+  }
+
   /**
    * The fewest seeds with which the most extreme differences pass Holm's correction: all of them
    * have the same sign, which has a p-value of 2 / 2^seeds.

@@ -65,6 +65,7 @@ class PairsTest {
     double[] p = {0.04, 0.01, Double.NaN, 0.03, 0.02, 0.5};
     assertArrayEquals(
         new double[] {0.09, 0.05, Double.NaN, 0.09, 0.08, 0.5}, PairedTest.corrected(p), 1e-12);
+    assertEquals(5, PairedTest.tests(p), "NaN is no test");
     assertArrayEquals(new double[] {1, 1}, PairedTest.corrected(new double[] {0.6, 0.7}));
   }
 
