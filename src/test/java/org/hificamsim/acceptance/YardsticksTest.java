@@ -92,7 +92,30 @@ class YardsticksTest {
   }
 
   @Test
-  void keepsRowsAndColumnsWithBound() throws IOException {
+  void yardsticksAreNotSaidToReachWhatIsPossible() {
+    Cli cli =
+        Cli.run(
+            "compare",
+            scenario,
+            "--detections",
+            "oodpcvs-2025",
+            "--policies",
+            "zoom-out,optimal",
+            "--yardsticks",
+            "bound",
+            "--steps",
+            20,
+            "--repeat",
+            2,
+            "--out",
+            folder.resolve("own"));
+    assertEquals(0, cli.exit(), cli.err());
+    assertTrue(cli.out().contains("zoom-out reaches at least"), cli.out());
+    assertFalse(cli.out().contains("optimal reaches"), cli.out());
+  }
+
+  @Test
+  void resultsWithBoundKeepRowsAndColumns() throws IOException {
     List<Map<String, String>> rows = rows(byBound, "results.csv");
     assertEquals(
         Files.readAllLines(byDefault.resolve("results.csv")).get(0),

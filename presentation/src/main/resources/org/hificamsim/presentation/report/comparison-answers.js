@@ -11,11 +11,11 @@ const MOST_PROMISES = 2;
 const NEGLIGIBLE_LOSS = 0.01;
 const MISLEADING = 0.1;
 
-/** The words after the share of a yardstick, by metric; the preferred yardstick first. */
+/** What the shares of yardsticks are shares of, the leading yardstick first. */
 const SHARES = {
-  proportion_of_optimal: 'of the optimum',
-  proportion_of_bound: 'or more of what is possible',
-  proportion_of_reachable: 'or more of what cameras could reach in time',
+  proportion_of_optimal: 'the optimum',
+  proportion_of_bound: 'what is possible',
+  proportion_of_reachable: 'what cameras could reach in time',
 };
 
 /**
@@ -67,7 +67,12 @@ function bestScore(cases, rows, {settings, tables}) {
   );
 }
 
-const listed = rows => rows.map(({policy}) => spelled(policy)).join(' and ');
+/** The policies in words, such as "a, b and c". */
+const listed = rows =>
+  rows
+    .map(({policy}) => spelled(policy))
+    .join(', ')
+    .replace(/, ([^,]*)$/, ' and $1');
 
 const isSameCase = (row, other) =>
   ['scenario', 'detection', 'policy'].every(name => row[name] === other[name]);
@@ -78,9 +83,11 @@ function shareText(rows) {
     Object.entries(SHARES).find(([name]) =>
       rows.some(row => row.metric === name && row.mean !== ''),
     ) ?? [];
-  return metric
-    ? `, ${percent(Number(rows.find(row => row.metric === metric).mean))} ${words}`
-    : '';
+  if (!metric) return '';
+  const share = Number(rows.find(row => row.metric === metric).mean);
+  return metric === 'proportion_of_optimal'
+    ? `, ${percent(share)} of ${words}`
+    : `, at least ${percent(Math.floor(1000 * share) / 1000)} of ${words}`;
 }
 
 /** What other detections promise of the policies that they would choose, where it misleads. */

@@ -80,11 +80,15 @@ public final class SummaryTables {
   }
 
   /**
-   * A line for each scenario and detection: the share of the bound that the best policy reaches.
+   * A line for each scenario and detection: the share of the bound that the best policy reaches,
+   * yardsticks aside.
    */
   public static List<String> sharesOfBound(List<CaseResult> cases) {
     List<CaseResult> known =
-        cases.stream().filter(result -> !Double.isNaN(shareOfBound(result))).toList();
+        cases.stream()
+            .filter(result -> !Yardstick.isYardstick(result.plan().policy()))
+            .filter(result -> !Double.isNaN(shareOfBound(result)))
+            .toList();
     return Cases.group(known, result -> ReferencePolicies.Group.of(result.plan())).values().stream()
         .map(
             group ->
