@@ -63,11 +63,14 @@ public final class ComparisonFigures {
     Optional<Yardstick> yardstick = Yardstick.of(cases);
     List<CaseResult> measured =
         yardstick.map(measure -> measured(cases, measure)).orElse(List.of());
+    List<String> detections = detections(cases, measured);
     yardstick.ifPresent(
-        measure -> figures.put("proportion", () -> ProportionFigure.of(measured, colors, measure)));
+        measure ->
+            figures.put(
+                "proportion", () -> ProportionFigure.of(measured, detections, colors, measure)));
     figures.put("coverage", () -> coverage(cases, colors));
     if (yardstick.isPresent() && cases.stream().anyMatch(result -> !result.isOptimum())) {
-      figures.put("profile", () -> ProfileFigure.of(measured, colors, yardstick.get()));
+      figures.put("profile", () -> ProfileFigure.of(measured, detections, colors, yardstick.get()));
     }
     return figures;
   }
@@ -79,6 +82,13 @@ public final class ComparisonFigures {
             .filter(result -> !Double.isNaN(result.mean(yardstick.share()).mean()))
             .toList();
     return measured.isEmpty() ? cases : measured;
+  }
+
+  /** Returns the detections of the measured cases in the order of all cases. */
+  private static List<String> detections(List<CaseResult> cases, List<CaseResult> measured) {
+    return Cases.byDetection(cases).keySet().stream()
+        .filter(Cases.byDetection(measured)::containsKey)
+        .toList();
   }
 
   private static String title(List<CaseResult> cases) {

@@ -3,6 +3,7 @@ package org.hificamsim.presentation.figures;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Figure;
@@ -23,11 +24,14 @@ final class ProfileFigure {
   private ProfileFigure() {}
 
   /** Returns the figure of all scenarios together, with a panel for each detection. */
-  static Figure of(List<CaseResult> cases, PolicyColors colors, Yardstick yardstick) {
+  static Figure of(
+      List<CaseResult> cases, List<String> detections, PolicyColors colors, Yardstick yardstick) {
     List<CaseResult> shown = cases.stream().filter(result -> !result.isOptimum()).toList();
     List<XYChart> panels = new ArrayList<>();
-    Cases.byDetection(shown)
-        .forEach((name, group) -> panels.add(panel(colors.name(name), group, colors, yardstick)));
+    Map<String, List<CaseResult>> groups = Cases.byDetection(shown);
+    for (String name : detections) {
+      panels.add(panel(colors.name(name), groups.get(name), colors, yardstick));
+    }
     return new Figure(
         "Performance profile",
         "Share of all runs whose proportion of "

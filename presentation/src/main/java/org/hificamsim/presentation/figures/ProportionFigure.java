@@ -34,7 +34,9 @@ final class ProportionFigure {
   private final double greatest;
   private final PolicyColors colors;
 
-  private ProportionFigure(List<CaseResult> cases, PolicyColors colors, Yardstick yardstick) {
+  private ProportionFigure(
+      List<CaseResult> cases, List<String> detections, PolicyColors colors, Yardstick yardstick) {
+    this.detections = detections;
     this.colors = colors;
     this.yardstick = yardstick;
     greatest =
@@ -46,15 +48,15 @@ final class ProportionFigure {
     policies = new ArrayList<>(Cases.byPolicy(cases).keySet());
     policies.removeIf(PolicyColors::isOptimal);
     Collections.reverse(policies);
-    detections = List.copyOf(Cases.byDetection(cases).keySet());
   }
 
   private Estimate share(CaseResult result) {
     return result.mean(yardstick.share());
   }
 
-  static Figure of(List<CaseResult> cases, PolicyColors colors, Yardstick yardstick) {
-    ProportionFigure figure = new ProportionFigure(cases, colors, yardstick);
+  static Figure of(
+      List<CaseResult> cases, List<String> detections, PolicyColors colors, Yardstick yardstick) {
+    ProportionFigure figure = new ProportionFigure(cases, detections, colors, yardstick);
     List<XYChart> panels = new ArrayList<>();
     Cases.byScenario(cases).forEach((name, group) -> panels.add(figure.panel(name, group)));
     return new Figure(

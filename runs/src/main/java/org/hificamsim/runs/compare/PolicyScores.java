@@ -23,15 +23,21 @@ public record PolicyScores(List<CaseResult> cases) {
         .toList();
   }
 
-  /** Sorts cases by their policies' scores, the best first; policies that tie keep their order. */
+  /**
+   * Sorts cases by their policies' scores under the last detection, which is the most real, the
+   * best first; policies that tie keep their order.
+   */
   public static List<CaseResult> byScore(List<CaseResult> cases) {
     Metric metric = Yardstick.metric(cases);
+    String last = cases.get(cases.size() - 1).plan().detection().name();
+    List<CaseResult> leading = Cases.byDetection(cases).get(last);
     Map<String, Double> means =
-        Cases.byPolicy(cases).entrySet().stream()
+        Cases.byPolicy(leading).entrySet().stream()
             .collect(
                 Collectors.toMap(Map.Entry::getKey, policy -> mean(policy.getValue(), metric)));
     return cases.stream()
-        .sorted(Comparator.comparingDouble(result -> -means.get(result.plan().policy())))
+        .sorted(
+            Comparator.comparingDouble(result -> -means.getOrDefault(result.plan().policy(), 0.0)))
         .toList();
   }
 
