@@ -254,6 +254,55 @@ return context.getImageData(2, 2, 1, 1).data.join();
     }
   }
 
+  /** One scenario, a bound, colours that are dark, and one policy that reaches nearly all. */
+  @Test
+  void greyPaletteAndBoundAreReadOnDarkPage() {
+    Path grey = folder.resolve("grey");
+    Cli cli =
+        Cli.run(
+            "compare",
+            Cli.scenario("ring-random"),
+            "--policies",
+            "zoom-out,zoom-in,random,sarsa",
+            "--palette",
+            "grey",
+            "--yardsticks",
+            "bound",
+            "--steps",
+            20,
+            "--repeat",
+            2,
+            "--out",
+            grey);
+    assertEquals(0, cli.exit(), cli.err());
+    browser.dark(true);
+    try {
+      browser.open(grey.resolve("report.html").toUri().toString());
+      assertTrue(browser.text(".answer").matches(".*, at least [0-9.]+ % of what is possible.*"));
+      Set<String> lines = new HashSet<>();
+      for (WebElement piece :
+          browser.findAll(".lines .u-legend .u-series:not(:first-child) .u-marker")) {
+        String colour = piece.getCssValue("border-top-color");
+        assertTrue(brightness(colour) > 95, colour);
+        lines.add(colour + piece.getCssValue("border-top-style"));
+      }
+      assertEquals(4, lines.size(), lines.toString());
+      for (WebElement bar : browser.findAll(".whisker rect")) {
+        assertTrue(brightness(bar.getCssValue("fill")) > 95, bar.getCssValue("fill"));
+      }
+      WebElement settings = browser.find(".card:has(.setting)");
+      assertTrue(settings.getText().contains("zoom-out, zoom-in, random, sarsa"));
+      assertTrue(settings.findElements(By.cssSelector("tbody tr")).size() <= 2, "by detection");
+      browser.assertQuietConsole();
+    } finally {
+      browser.dark(false);
+    }
+  }
+
+  private static int brightness(String colour) {
+    return Integer.parseInt(colour.replaceFirst("rgba?\\((\\d+),.*", "$1"));
+  }
+
   @Test
   void showsSharesAsPercentages() {
     Path shares = folder.resolve("shares");

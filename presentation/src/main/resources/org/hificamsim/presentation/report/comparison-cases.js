@@ -1,6 +1,7 @@
 // The table that compares the cases by one metric, with intervals drawn to one scale.
 import {card, labelledSelect, svg} from './cards.js';
 import {cutNotice} from './comparison-tables.js';
+import {onDark} from './contrast.js';
 import {el} from './dom.js';
 import {isShare, spelled, unitAfterPercent, words} from './names.js';
 import {distinct, rowsOf, sortable} from './table.js';
@@ -153,7 +154,7 @@ function caseColumns(rows, colours, units, all) {
       name: 'mean',
       label: 'interval',
       show: (text, row) =>
-        whisker(row, scaleOf(row), row.policy === OPTIMAL ? 'currentColor' : colours[row.policy]),
+        whisker(row, scaleOf(row), row.policy === OPTIMAL ? null : colours[row.policy]),
     },
     ...(all ? differenceColumns(rows, rows.length ? unitOf(rows[0]) : '', show) : []),
   ].filter(Boolean);
@@ -197,7 +198,7 @@ function numberText(largest, unit) {
   };
 }
 
-/** Draws a mean as a mark and its interval as a bar; empty without a mean. */
+/** A mean with its interval, as a mark and a bar; without a colour in that of the text. */
 function whisker({mean, low, high}, [least, most], colour) {
   if (mean === '') return '';
   const positionOf = text => (100 * (Number(text) - least)) / (most - least);
@@ -207,15 +208,15 @@ function whisker({mean, low, high}, [least, most], colour) {
     preserveAspectRatio: 'none',
     'aria-hidden': 'true',
   });
+  if (colour) {
+    drawing.style.setProperty('--light', colour); // a style in the HTML would need a hash
+    drawing.style.setProperty('--dark', onDark(colour));
+  }
   drawing.append(svg('line', {x1: 0, x2: 100, y1: 6, y2: 6, class: 'rail'}));
   if (low !== '') {
-    const width = Math.max(0.4, positionOf(high) - positionOf(low));
-    drawing.append(
-      svg('rect', {x: positionOf(low), width, y: 3.5, height: 5, fill: colour, opacity: 0.45}),
-    );
+    const width = Math.max(0.4, place(high) - place(low));
+    drawing.append(svg('rect', {x: place(low), width, y: 3.5, height: 5, opacity: 0.45}));
   }
-  drawing.append(
-    svg('rect', {x: positionOf(mean) - 0.6, width: 1.2, y: 1, height: 10, fill: colour}),
-  );
+  drawing.append(svg('rect', {x: place(mean) - 0.6, width: 1.2, y: 1, height: 10}));
   return drawing;
 }

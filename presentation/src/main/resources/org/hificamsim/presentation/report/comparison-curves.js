@@ -1,7 +1,8 @@
 // The chart of the score over time. Policies differ by colour and detection models by dashes;
 // intervals are bands, and the lines of yardsticks have names at their ends.
 import {card, labelledSelect} from './cards.js';
-import {el, onThemeChange, rem, style} from './dom.js';
+import {onDark} from './contrast.js';
+import {el, isDark, onThemeChange, rem, style} from './dom.js';
 import {spelled} from './names.js';
 import {decimals, percent} from './numbers.js';
 import {distinct, rowsOf} from './table.js';
@@ -16,6 +17,7 @@ const DASHES = [
 ];
 const ALL = 'all';
 const MOST_LINES = 12;
+const MOST_BANDS = 3;
 const DECIMALS = 4;
 const HEIGHT = 26; // rem
 
@@ -35,13 +37,14 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
 
   function draw() {
     const isShown = name => [ALL, name].includes(detection.value);
-    const shown = cases.filter(
-      entry => entry.scenario === scenario.value && isShown(entry.detection),
+    const shown = byScore(
+      cases.filter(entry => entry.scenario === scenario.value && isShown(entry.detection)),
     );
-    const bands = shown.map(({parts}) => bandOf(parts));
+    const bands = bandsOf(shown);
     const named = isSingle() ? shown : []; // yardsticks of several detections have the same names
     const lines = named.length ? yardstickLines(yardsticks, settings, named[0]) : [];
     const greatest = Math.max(
+      0,
       ...bands.flatMap(band => band?.high ?? []),
       ...lines.map(({score}) => score),
     );
@@ -76,9 +79,9 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
         },
         series: [
           {label: 'step', value: (chart, step) => step ?? ''},
-          ...shown.map(entry => series(entry, share)),
+          ...shown.map((entry, i) => series(entry, share, dashOf(shown, i).line)),
         ],
-        legend: {markers: {dash: (chart, i) => dashOf(shown[i - 1]?.detection).borderStyle}},
+        legend: {markers: {dash: (chart, i) => (i ? dashOf(shown, i - 1).piece : 'solid')}},
       },
       [
         shown[0].parts.map(({step}) => Number(step)),
@@ -89,13 +92,18 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
   }
 
   const isSingle = () => detections.length === 1 || detection.value !== ALL;
-  const dashOf = name =>
-    DASHES[isSingle() ? 0 : Math.max(0, detections.indexOf(name)) % DASHES.length];
-  const series = ({policy, detection: name}, share) => ({
+  /** The dashes tell detections apart, and those of one detection that have the same colour. */
+  function dashOf(shown, i) {
+    const {policy, detection: name} = shown[i];
+    const alike = shown.slice(0, i).filter(entry => colours[entry.policy] === colours[policy]);
+    return DASHES[(isSingle() ? alike.length : detections.indexOf(name)) % DASHES.length];
+  }
+
+  const series = ({policy, detection: name}, share, dash) => ({
     label: isSingle() ? spelled(policy) : `${spelled(policy)}; ${spelled(name)}`,
-    stroke: policy === OPTIMAL ? () => style('--ink') : colours[policy],
+    stroke: policy === OPTIMAL ? () => style('--ink') : () => lineColour(colours[policy]),
     width: 0.12 * rem(),
-    dash: dashOf(name).line,
+    dash,
     points: {show: false},
     value: (chart, value) =>
       value == null ? '' : share ? percent(value) : decimals(value, DECIMALS),
@@ -106,10 +114,10 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
       else if (box.clientWidth) plot.setSize({width: box.clientWidth, height: HEIGHT * rem()});
     }),
   ).observe(box);
-  onThemeChange(() => plot?.redraw());
+  onThemeChange(() => plot && draw());
   const note =
     'Mean over the seeds' +
-    (banded ? ', with its 95 % interval as a band' : '') +
+    (banded ? `, with 95 % intervals as bands of up to ${MOST_BANDS} lines, the highest` : '') +
     '; a point is one of fifty equal parts of the run, or a step where there are fewer. ' +
     'Hover for numbers, click names to hide lines, drag to zoom in, double-click to zoom out.';
   return card(
@@ -143,7 +151,21 @@ function casesOf(rows) {
   return cases;
 }
 
-/** The limits of a case's interval in each part of the run, {low, high}; null without one. */
+/** Cases by their score, the highest first. */
+function byScore(cases) {
+  const mean = ({parts}) => parts.reduce((sum, {score}) => sum + Number(score), 0) / parts.length;
+  return [...cases].sort((a, b) => mean(b) - mean(a));
+}
+
+const lineColour = colour => (isDark() ? onDark(colour) : colour);
+
+/** The bands of the highest policies; null for all others, and for the optimum. */
+function bandsOf(cases) {
+  const highest = cases.filter(({policy}) => policy !== OPTIMAL).slice(0, MOST_BANDS);
+  return cases.map(entry => (highest.includes(entry) ? bandOf(entry.parts) : null));
+}
+
+/** The interval of a case by part of the run; null if it has none. */
 const bandOf = parts =>
   parts[0].low === ''
     ? null

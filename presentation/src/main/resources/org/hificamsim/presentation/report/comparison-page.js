@@ -19,7 +19,7 @@ export async function comparisonPage(root, data) {
   const kind = kindOf(data);
   const tables =
     kind === 'Ladder' ? ladderCards(data) : data.tables.map(table => tableCard(table, data));
-  const pictures = data.pictures.length && (await pictureCard(data.pictures));
+  const pictures = data.pictures.length && (await pictureCard(data.pictures, data.colours));
   const rest = [
     data.results &&
       foldedCard(`All runs (${data.results.count})`, () => fileTable(data.results, data)),

@@ -1,5 +1,6 @@
 // The cards of a comparison's tables, pictures and settings, as its files have them.
 import {card} from './cards.js';
+import {onDark, rgb} from './contrast.js';
 import {el} from './dom.js';
 import {inflate} from './inflate.js';
 import {settingName, settingNames, settingOf, spelled, words} from './names.js';
@@ -13,7 +14,7 @@ const TITLES = {
   'pairs.csv': 'Differences between policies, paired by seed',
   'rungs.csv': 'What is lost where each rung chooses the policy',
   'ladder.csv': 'What each rung predicts of the policies',
-  'ladder.svg': 'Each scenario',
+  'ladder.svg': 'How far each rung can be trusted in each scenario',
   'coverage.svg': 'How many cameras cover the targets, by policy',
   'proportion.svg': 'The score of each policy as a share of the yardstick',
   'profile.svg': 'How many runs reach which share of the yardstick',
@@ -47,12 +48,11 @@ const TIE = ' | ';
 const SHARE = /^share(_|$)/;
 const SCORE = /^(predicted|achieved)(_|$)/;
 const WHOLE = /^seeds_needed$/;
+const IN_ANSWERS = /^score_(words|unit)$/; // what the sentences at the top say
 const FRACTION = /^-?\d+\.\d+(E-\d+)?$/;
 const SIGNIFICANCE = 0.05;
 
-/**
- * The colours of paper, ink and grid in pictures, each with the one that replaces it on dark pages.
- */
+/** Paper, ink and grid of pictures, and their colours on dark pages. */
 const DARK_COLOURS = [
   ['white', '#1a222b'],
   ['rgb(34,34,34)', '#e8edf2'],
@@ -60,15 +60,7 @@ const DARK_COLOURS = [
   ['rgb(119,119,119)', '#8b98a5'],
   ['rgb(227,227,227)', '#34404c'],
 ];
-const DARK_RULES = ['fill', 'stroke']
-  .flatMap(part =>
-    DARK_COLOURS.map(
-      ([light, dark]) => `[style*="${part}:${light}"] { ${part}: ${dark} !important; }`,
-    ),
-  )
-  .join(' ');
-const DARK_STYLE = `<style>@media (prefers-color-scheme: dark) { ${DARK_RULES} }</style>`;
-const WIDE_PICTURE = 800; // points; wider ones get a row of their own, to be readable
+const WIDE_PICTURE = 800; // points; too small to be read next to another picture
 
 /** The title of a table or picture by the name of its file. */
 export const titleOf = name =>
@@ -112,14 +104,16 @@ function cellText(column, text, names) {
 
 /** A notice that no difference can pass Holm's correction with so few seeds; null if one can. */
 function seedsNotice({rows, count, columns}) {
-  const seeds = Math.max(...rows.map(row => Number(row[columns.indexOf('runs')])));
-  const least = Math.floor(Math.log2(count / SIGNIFICANCE)) + 2;
+  const runs = rows.map(row => Number(row[columns.indexOf('runs')]));
+  const tests = count - runs.filter(number => number < 2).length; // a single run has no p-value
+  const seeds = Math.max(...runs);
+  const least = Math.floor(Math.log2(tests / LEVEL)) + 2;
   if (!rows.length || seeds >= least) return null;
   return el(
     'p',
     {class: 'notice'},
-    `With ${seeds} seeds none of ${count} differences can have a corrected p below ` +
-      `${SIGNIFICANCE}: take ${least} seeds, or compare fewer policies. The intervals hold.`,
+    `With ${seeds} seeds none of ${tests} differences can have a corrected p below ${LEVEL}: ` +
+      `take ${least} seeds, or compare fewer policies. The intervals hold.`,
   );
 }
 
@@ -129,16 +123,26 @@ export const cutNotice = ({rows, count, name}) =>
     ? el('p', {class: 'notice'}, `The first ${rows.length} of ${count} rows; ${name} has all.`)
     : null;
 
-/** The card of a comparison's pictures, with a note for each that was too large for the page. */
-export async function pictureCard(pictures) {
-  const figures = await Promise.all(pictures.map(picture));
+/** The pictures of a comparison, those that fit into the page, and the colours of policies. */
+export async function pictureCard(pictures, colours = {}) {
+  const style = darkStyle(Object.values(colours));
+  const figures = await Promise.all(pictures.map(drawn => picture(drawn, style)));
   return card('Pictures', el('div', {class: 'pictures'}, ...figures));
 }
 
-async function picture({name, data}) {
-  if (!data) return el('p', {class: 'note'}, `${name} is left out to keep this file small.`);
+/** A style of pictures on dark pages; policies keep their colours where these can be seen. */
+function darkStyle(colours) {
+  const pairs = [...colours.map(colour => [rgb(colour), onDark(colour)]), ...DARK_COLOURS];
+  const rules = ['fill', 'stroke'].flatMap(part =>
+    pairs.map(([light, dark]) => `[style*="${part}:${light}"] { ${part}: ${dark} !important; }`),
+  );
+  return `<style>@media (prefers-color-scheme: dark) { ${rules.join(' ')} }</style>`;
+}
+
+async function picture({name, data}, style) {
+  if (!data) return el('p', {class: 'note'}, `${name} is left out, so that this file stays small.`);
   const drawn = new TextDecoder().decode(await inflate(data));
-  const image = new Blob([drawn.replace(/<\/svg\s*>\s*$/, `${DARK_STYLE}</svg>`)], {
+  const image = new Blob([drawn.replace(/<\/svg\s*>\s*$/, `${style}</svg>`)], {
     type: 'image/svg+xml',
   });
   const src = URL.createObjectURL(image);
@@ -159,26 +163,43 @@ async function picture({name, data}) {
   return figure;
 }
 
-/** The card of settings: once those that all cases share, in a table those that differ. */
+/**
+ * The settings of all cases: those that are the same once, the others in a table, with a row for
+ * all policies that have the same.
+ */
 export function settingsCard(cases) {
-  const names = [...new Set(cases.flatMap(settingNames))];
+  const names = [...new Set(cases.flatMap(settingNames))].filter(name => !IN_ANSWERS.test(name));
   const isSame = name => new Set(cases.map(settings => settingOf(settings, name))).size === 1;
   const different = names.filter(name => !isSame(name));
-  const columns = different.map(name => ({
-    name,
-    label: settingName(name),
-    title: name,
-  }));
-  const rows = cases.map(settings =>
-    Object.fromEntries(different.map(name => [name, settingOf(settings, name)])),
+  const rows = withPoliciesJoined(
+    cases.map(settings =>
+      Object.fromEntries(different.map(name => [name, settingOf(settings, name)])),
+    ),
   );
-  const same = names.filter(isSame).map(name => {
-    const value = el('b', {}, settingOf(cases[0], name));
-    return el('span', {class: 'setting', title: name}, `${settingName(name)}: `, value);
-  });
+  const columns = different
+    .filter(name => new Set(rows.map(row => row[name])).size > 1)
+    .map(name => ({name, label: settingName(name), title: name}));
+  const same = names
+    .filter(name => !columns.some(column => column.name === name))
+    .map(name => {
+      const value = el('b', {}, (different.length && rows[0][name]) || settingOf(cases[0], name));
+      return el('span', {class: 'setting', title: name}, `${settingName(name)}: `, value);
+    });
   return card(
     'Settings',
     el('p', {}, ...same),
-    el('div', {class: 'scroll'}, sortable('settings.json', columns, rows)),
+    rows.length > 1
+      ? el('div', {class: 'scroll'}, sortable('Settings that differ', columns, rows))
+      : null,
   );
+}
+
+/** Joins the rows that differ in their policies alone. */
+function withPoliciesJoined(rows) {
+  const joined = new Map();
+  for (const {policy, ...rest} of rows) {
+    const key = JSON.stringify(rest);
+    joined.set(key, [...(joined.get(key) ?? []), policy]);
+  }
+  return [...joined].map(([key, policies]) => ({...JSON.parse(key), policy: policies.join(', ')}));
 }

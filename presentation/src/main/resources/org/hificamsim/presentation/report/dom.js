@@ -62,9 +62,13 @@ export class Surface {
 export const style = name =>
   getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-/** Calls a function whenever the page turns dark or light. */
+const darkness = () => matchMedia('(prefers-color-scheme: dark)');
+
+export const isDark = () => darkness().matches;
+
+/** Calls back when the page turns dark or light. */
 export function onThemeChange(callback) {
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', callback);
+  darkness().addEventListener('change', callback);
 }
 
 /** Builds a page from the data in it, `page(root, data)`; an error is shown on the page. */

@@ -79,7 +79,7 @@ function line(columns, row) {
   );
 }
 
-const isNumber = text => text !== '' && !Number.isNaN(Number(text));
+const isNumber = text => text !== '' && !Number.isNaN(Number(text.replace(/ %$/, '')));
 
 /** Returns the rows of a table {columns, rows} as objects by column name. */
 export const rowsOf = table =>
