@@ -1,8 +1,9 @@
 // The panel of the selected camera: what it does and knows, with a bar for each zoom level or view.
 import {el, setText} from './dom.js';
 import {PoseForm} from './pose-form.js';
+import {detections} from './tooltip.js';
 import {ViewTable} from './view-table.js';
-import {viewName, viewOf} from './views.js';
+import {viewCount, viewName, viewOf} from './views.js';
 import {sentMessages} from './belief.js';
 import {decimals, metres} from './numbers.js';
 
@@ -49,9 +50,10 @@ export class AgentPanel {
     setText(this.title, this.run.setup.cameras[camera].name);
     const {pose} = this.run.setup.cameras[camera];
     const oneDirection = !pose.pans; // otherwise the estimates are in the table of views
-    const estimated = oneDirection && this.run.estimated;
-    const hasCounts = oneDirection && this.hasCounts;
-    const rangeHeads = [pose.lenses ? 'angle' : 'radius', 'detects at'].map(text =>
+    const ranked = oneDirection && viewCount(pose) > 1;
+    const estimated = ranked && this.run.estimated;
+    const counted = ranked && this.counted;
+    const heads = [pose.lenses ? 'angle' : 'radius', 'detects at'].map(text =>
       el('th', {scope: 'col'}, text),
     );
     this.head.replaceChildren(
@@ -101,12 +103,10 @@ export class AgentPanel {
     const view = run.level[camera][frame];
     const blind = run.seen(camera, frame) < 0;
     const online = run.online[camera][frame];
-    const detects = `; detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets`;
-    const turning = blind ? '; turning to its view, sees nothing' : '';
-    setText(
-      this.facts,
-      `x ${metres(pose.x)}, y ${metres(pose.y)}${online ? detects + turning : '; not online'}`,
-    );
+    const moves = blind && 'on its way to its view, sees nothing';
+    const facts = online ? [detections(run, frame, camera), moves] : ['not online'];
+    const place = `x ${metres(pose.x)}, y ${metres(pose.y)}`;
+    setText(this.facts, [place, ...facts].filter(Boolean).join('; '));
     this.form?.show(camera, pose);
     if (pose !== this.pose) this.showLevels(pose);
     this.rows.forEach((row, i) =>
@@ -165,6 +165,7 @@ export class AgentPanel {
     const {policy, targetSize, onAxis} = this.run.setup;
     const target = `a target of ${decimals(targetSize, 3)} m${onAxis ? ' straight ahead' : ''}`;
     const range = `"detects at" is for ${target}.${this.lens()}`;
+    if (viewCount(this.run.setup.cameras[this.camera].pose) === 1) return range;
     if (!this.run.estimated) return `${policy} keeps no estimates of its levels. ${range}`;
     return (MEANING[this.run.estimated] || '') + this.bestViews() + this.messages() + range;
   }

@@ -1,6 +1,7 @@
 // The layers of the ground: floor plans, the grid, and the scale bar. Rhino runs this file too: see
 // scene.js.
 import {decimals} from './numbers.js';
+import {fieldBorder} from './views.js';
 
 /** Paints the pictures of the floor. */
 export function floor(context, {map, floor, opacity}) {
@@ -40,7 +41,7 @@ export function grid(context, {map, colours, unit, run}) {
   context.stroke();
   context.beginPath();
   context.strokeStyle = colours.faint;
-  context.rect(map.x(minX), map.y(maxY), map.x(maxX) - map.x(minX), map.y(minY) - map.y(maxY));
+  fieldBorder(context, map, run.setup.field);
   context.stroke();
 }
 

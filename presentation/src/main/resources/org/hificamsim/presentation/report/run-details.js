@@ -9,16 +9,20 @@ import {
   unitAfterPercent,
   withUnit,
 } from './names.js';
+import {isStill} from './views.js';
 
-/** The metrics at the top of the table, in reverse order. */
-const LEADING = ['score', 'mean_score'];
-/** The metrics that repeat the leading ones if k_min is the objective. */
-const K_MIN_METRICS = ['performance', 'mean_k_min'];
-/** Returns three elements, {wholeRun, settings, made}. */
-export function details({summary, names, objective, command, version}) {
+const LEADING = ['score', 'mean_score']; // the last first
+const OF_K_MIN = ['performance', 'mean_k_min']; // by that objective the same as those
+
+const OF_MOVES = ['zoom_changes', 'zoom_change_rate', 'pan_travel', 'zoom_travel'];
+
+/** Returns the elements `wholeRun`, `settings` and `made`. */
+export function details({summary, names, objective, command, version, replay}) {
+  const still = isStill(replay.setup);
   const repeated = summary.repeat > 1;
   const metrics = Object.entries(summary.metrics)
-    .filter(([name]) => !objective.kMin || !K_MIN_METRICS.includes(name))
+    .filter(([name]) => !objective.kMin || !OF_K_MIN.includes(name))
+    .filter(([name]) => !still || !OF_MOVES.includes(name))
     .sort(([a], [b]) => LEADING.indexOf(b) - LEADING.indexOf(a));
   names.score.unit = scoreUnit(objective);
   names.mean_score.unit = scoreUnit(objective)
@@ -35,11 +39,14 @@ export function details({summary, names, objective, command, version}) {
       el('td', {class: 'unit'}, unitAfterPercent(names[name].unit)),
     );
   });
-  const settings = settingNames(summary.settings).flatMap(name =>
-    name === 'optics'
-      ? summary.settings.optics.map(opticsRow)
-      : [row(name, settingName(name), name, settingCell(summary.settings, name))],
-  );
+  const settings = settingNames(summary.settings)
+    .filter(name => !still || name !== 'policy')
+    .filter(name => !isEmpty(summary.settings[name]))
+    .flatMap(name =>
+      name === 'optics'
+        ? summary.settings.optics.map(opticsRow)
+        : [row(name, settingName(name), name, settingCell(summary.settings, name))],
+    );
   return {
     wholeRun: table(
       'Whole run',
@@ -56,6 +63,8 @@ export function details({summary, names, objective, command, version}) {
     ),
   };
 }
+
+const isEmpty = value => value === null || (Array.isArray(value) && !value.length);
 
 const scoreUnit = ({share, text}) =>
   share ? 'shares x steps' : text.startsWith('sum') ? 'detections' : 'cameras x steps';

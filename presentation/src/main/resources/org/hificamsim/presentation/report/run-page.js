@@ -124,8 +124,9 @@ function facts({replay: {setup, runs, repeat}}, open) {
       significant(setup.threshold),
     `${runs[0].steps} steps`,
     `${setup.cameras.length} camera${setup.cameras.length === 1 ? '' : 's'}`,
-    `targets move ${setup.order === 'camsim' ? 'before' : 'after'} cameras look`,
-  ];
+    setup.targets.length &&
+      `targets move ${setup.order === 'camsim' ? 'before' : 'after'} cameras look`,
+  ].filter(Boolean);
   return el(
     'div',
     {class: 'facts-of-run'},

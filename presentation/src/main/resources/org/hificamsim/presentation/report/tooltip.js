@@ -55,12 +55,16 @@ export function describeCamera(run, frame, camera) {
   return [
     `camera ${run.setup.cameras[camera].name}`,
     `x ${metres(pose.x)}, y ${metres(pose.y)}`,
-    run.online[camera][frame]
-      ? describeView(pose, run.level[camera][frame]) + turning
-      : 'not online',
-    `detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets`,
-  ];
+    run.online[camera][frame] ? describeView(pose, run.level[camera][frame]) + moves : 'not online',
+    detections(run, frame, camera),
+  ].filter(Boolean);
 }
+
+/** The number of targets that a camera detects in a frame; empty where there are none. */
+export const detections = (run, frame, camera) =>
+  run.targets[frame]
+    ? `detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets`
+    : '';
 
 function describeView(pose, view) {
   const {level, viewingAngle} = viewOf(pose, view);

@@ -3,7 +3,7 @@
 import {scaledDashes} from './dashes.js';
 import {hatch} from './hatch.js';
 import {DENSITY_ZONES} from './palette.js';
-import {band, border, fillDetected, inSight, seenAt, viewAt} from './views.js';
+import {band, border, fieldBorder, fillDetected, inSight, seenAt, viewAt} from './views.js';
 
 /** The dash patterns of a field of view, and of one that its camera is still turning to. */
 export const VIEW_DASHES = [5, 4];
@@ -74,7 +74,7 @@ export function views(context, scene) {
 const onlineCameras = ({run, frame}) =>
   run.setup.cameras.map((spec, camera) => camera).filter(camera => run.online[camera][frame]);
 
-/** Hatches the area that walls hide from all cameras but that some camera would otherwise cover. */
+/** Hatches what some camera would detect in the field if no wall hid it from all cameras. */
 export function shadows(context, scene) {
   const {run, frame, map, colours, unit, host} = scene;
   const seeingViews = onlineCameras(scene)
@@ -82,6 +82,10 @@ export function shadows(context, scene) {
     .map(camera => viewAt(run, camera, frame));
   const wallViews = seeingViews.filter(({visible}) => visible);
   if (scene.heat || !wallViews.length) return;
+  context.save();
+  context.beginPath();
+  fieldBorder(context, map, run.setup.field);
+  context.clip();
   host.through(
     context,
     mask => {
@@ -93,4 +97,5 @@ export function shadows(context, scene) {
     },
     hatch(host, colours.shadow, unit),
   );
+  context.restore();
 }

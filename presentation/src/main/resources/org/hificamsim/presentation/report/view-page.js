@@ -18,9 +18,10 @@ const RECENT_STEPS = 100;
 const SCROLLING = ['.side', '.tools'];
 
 const LIVE_NOTE =
-  'Drag a camera, or move the chosen one with W A S D and turn it with Q and E (ten times as ' +
-  'far with shift). After a change of model, policy, cameras or walls, targets move on and ' +
-  'learning begins again.';
+  'Drag a camera, or move the chosen one with W A S D and turn it with Q and E (with shift ten ' +
+  'times as far). ';
+const TARGETS_NOTE =
+  'After a new model, policy, camera or wall the targets go on, and learning begins again.';
 const PLAN_NOTE =
   '1. Set the scale: choose "scale", click both ends of a length that you know, and type it. ' +
   '2. Draw walls, shelves, and zones with what they ask for. 3. Plan the cameras, or draw them ' +
@@ -77,6 +78,7 @@ class LiveView {
 
   header() {
     const {scenario, tools} = this.data;
+    this.note = el('p', {class: 'note'}, tools.plan ? PLAN_NOTE : LIVE_NOTE);
     return el(
       'header',
       {class: 'live'},
@@ -106,7 +108,7 @@ class LiveView {
           'save scenario',
         ),
       ),
-      el('p', {class: 'note'}, tools.plan ? PLAN_NOTE : LIVE_NOTE),
+      this.note,
     );
   }
 
@@ -182,7 +184,9 @@ class LiveView {
     this.players = this.runs.map((run, side) => this.player(run, side));
     this.players.forEach(({field}) => field.setDrawing(this.draw.outline));
     if (this.runs[0].setup.cameras.length) this.selectTogether();
-    this.root.classList.toggle('untargeted', !this.runs[0].setup.targets.length);
+    const hasTargets = this.runs[0].setup.targets.length > 0;
+    this.root.classList.toggle('untargeted', !hasTargets);
+    if (!this.data.tools.plan) setText(this.note, LIVE_NOTE + (hasTargets ? TARGETS_NOTE : ''));
     this.showZones(this.zones);
     this.showHeat(this.figure);
     if (fresh) this.buildColumns();

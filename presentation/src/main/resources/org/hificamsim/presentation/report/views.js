@@ -110,6 +110,10 @@ export function inSight(context, map, view, draw) {
   context.restore();
 }
 
+/** Adds the border of the field to the path. */
+export const fieldBorder = (path, map, {minX, maxX, minY, maxY}) =>
+  path.rect(map.x(minX), map.y(maxY), map.x(maxX) - map.x(minX), map.y(minY) - map.y(maxY));
+
 /** Adds the border of a view to the path: its sector, and the ground that is in the picture. */
 export function border(path, map, view) {
   if (view.ground) ring(path, map, trapezoid(view));

@@ -51,6 +51,15 @@ class SitePictureTest {
     assertEquals(WALL_COLOR, colorAt(image, 10, 9.2));
   }
 
+  @Test
+  void hatchingEndsAtBorderOfField() {
+    BufferedImage image = image(setup(30, List.of(WALL), VISIBLE, List.of()), 1, Look.DEFAULT);
+    assertShadow(image, 28.3, 10.2);
+    for (double x = 30.3; x < 31.5; x += 0.1) {
+      assertEquals(Color.WHITE, colorAt(image, x, 10.2), "at x = " + x);
+    }
+  }
+
   /** Asserts that there are both the ground and the lines of the hatching within a metre. */
   private static void assertShadow(BufferedImage image, double x, double y) {
     int palest = 0;
@@ -141,7 +150,12 @@ class SitePictureTest {
 
   private static Setup setup(
       List<Obstacle> obstacles, List<Double> visible, List<Setup.Floor> floor) {
-    Level level = new Level(30, List.of(new Interval(0, 10)));
+    return setup(10, obstacles, visible, floor);
+  }
+
+  private static Setup setup(
+      double reach, List<Obstacle> obstacles, List<Double> visible, List<Setup.Floor> floor) {
+    Level level = new Level(30, List.of(new Interval(0, reach)));
     CameraPose pose =
         new CameraPose(
             5,
