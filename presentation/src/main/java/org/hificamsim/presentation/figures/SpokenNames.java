@@ -44,8 +44,8 @@ public final class SpokenNames {
 
   private SpokenNames() {}
 
-  /** The names in the data of a page that people read in other words, as a map of a script. */
-  public static String script(String json) {
+  /** The names in the data of a page that people read in other words, as a JSON object. */
+  public static String json(String json) {
     Map<String, String> spoken = new TreeMap<>();
     try (JsonParser parser = JSON.createParser(json)) {
       while (parser.nextToken() != null) {
@@ -56,8 +56,7 @@ public final class SpokenNames {
               .forEach(name -> spoken.put(name, of(name)));
         }
       }
-      return "const SPOKEN = new Map(Object.entries(%s));\n"
-          .formatted(new ObjectMapper().writeValueAsString(spoken).replace("<", "\\u003c"));
+      return new ObjectMapper().writeValueAsString(spoken);
     } catch (IOException e) {
       throw new UncheckedIOException("the data of a page is not JSON", e);
     }

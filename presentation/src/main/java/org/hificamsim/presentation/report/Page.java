@@ -52,15 +52,20 @@ public record Page(String title, String module, String function, String data, St
     String style =
         Scripts.text("uplot/uPlot.min.css") + Palette.style() + Scripts.text("style.css");
     String plot = Scripts.text("uplot/uPlot.iife.min.js");
-    String script = Scripts.bundle(module) + SpokenNames.script(data) + start();
+    String script = Scripts.bundle(module) + spokenNames(data) + start();
     return PAGE.formatted(
         policy(style, plot, script),
         Place.escaped(escaped(title), "\\"),
         style,
-        Place.escaped(data, "\\\\").replace("<", "\\u003c"),
+        Scripts.escaped(Place.escaped(data, "\\\\")),
         Scripts.text("uplot/LICENSE"),
         plot,
         script);
+  }
+
+  private static String spokenNames(String data) {
+    String names = Scripts.escaped(SpokenNames.json(data));
+    return "const SPOKEN = new Map(Object.entries(%s));\n".formatted(names);
   }
 
   private String start() {

@@ -37,6 +37,11 @@ public final class Scripts {
     return "module_" + module.replace(".js", "").replace('-', '_');
   }
 
+  /** JSON that no HTML parser takes for the end of the script that it is in. */
+  static String escaped(String json) {
+    return json.replace("<", "\\u003c");
+  }
+
   /** Reads a file of this folder, such as a style sheet. */
   public static String text(String name) {
     return new String(Io.resource(Scripts.class, name), StandardCharsets.UTF_8);

@@ -43,10 +43,9 @@ class PolicyColorsTest {
   }
 
   @Test
-  void pageDataHaveWordsForNames() {
-    String script =
-        SpokenNames.script("{\"chosen\": \"sarsa | ucb1:c=2\", \"note\": \"a=b c\", \"k\": 1}");
-    assertEquals("const SPOKEN = new Map(Object.entries({\"ucb1:c=2\":\"ucb1, c 2\"}));\n", script);
+  void pagesHaveWordsOfNamesInTheirData() {
+    String data = "{\"chosen\": \"sarsa | ucb1:c=2\", \"note\": \"a=b c\", \"k\": 1}";
+    assertEquals("{\"ucb1:c=2\":\"ucb1, c 2\"}", SpokenNames.json(data));
   }
 
   @Test
