@@ -9,13 +9,13 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.Ranges;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.declaration.Property;
+import org.hificamsim.core.scenario.declaration.Range;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
@@ -28,8 +28,6 @@ final class EditedScenario {
   private static final String ADDED_PREFIX = "added-";
   private static final String ZONE_PREFIX = "zone-";
   private static final int MOST_UNDO_STEPS = 200;
-  private static final double LEAST_MOUNT_HEIGHT = 0.1; // metres
-  private static final double MOST_MOUNT_HEIGHT = 1000;
 
   private final Scenario original;
   private final Deque<Scenario> undoSteps = new ArrayDeque<>();
@@ -228,7 +226,10 @@ final class EditedScenario {
     if (current.mountHeight().isEmpty()) {
       throw InputException.of("the scenario has no %s, expected one", Scenario.MOUNT_HEIGHT);
     }
-    Ranges.within("mount_height", metres, LEAST_MOUNT_HEIGHT, MOST_MOUNT_HEIGHT);
+    if (!Range.POSITIVE_LENGTH.contains(metres)) {
+      throw InputException.of(
+          "%s is %s, expected %s", Scenario.MOUNT_HEIGHT, metres, Range.POSITIVE_LENGTH.expected());
+    }
     apply(
         "",
         current

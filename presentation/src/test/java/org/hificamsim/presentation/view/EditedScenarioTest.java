@@ -123,6 +123,9 @@ class EditedScenarioTest {
     assertEquals(4.5, hall.current().mountHeight().orElseThrow());
     assertTrue(hall.current().cameras().get(0).z().isEmpty());
     assertThrows(InputException.class, () -> hall.hangAt(0));
+    hall.hangAt(0.05);
+    assertEquals(0.05, hall.current().mountHeight().orElseThrow(), "as files may have it");
+    hall.undo();
     assertThrows(InputException.class, () -> hall.hangAt(Double.NaN));
     hall.undo();
     assertEquals(3, hall.current().mountHeight().orElseThrow());
