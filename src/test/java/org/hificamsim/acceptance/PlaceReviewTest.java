@@ -79,6 +79,10 @@ class PlaceReviewTest extends RoomsTest {
     assertTrue(percent(met[1]) > percent(met[2]), compared.out());
     assertTrue(row(compared, "camera P2").endsWith("  -"), compared.out());
     assertFalse(compared.out().contains("camera P1"), "is in both");
+    String obstacles = row(compared, "obstacles (not the same)");
+    assertTrue(obstacles.matches("obstacles \\(not the same\\) +1 +2"), obstacles);
+    Cli same = Cli.run("place", "--compare", plan, plan, "--cells", 12);
+    assertFalse(same.out().contains("obstacles"), same.out());
   }
 
   private static String row(Cli compared, String name) {

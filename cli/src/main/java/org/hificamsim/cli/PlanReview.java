@@ -98,6 +98,9 @@ record PlanReview(Path file, EvaluatedPlan plan) {
       row(table, "zone " + zone, first, second, review -> review.met(zone));
     }
     row(table, "after the worst failure", first, second, PlanReview::worstFailure);
+    if (!first.plan.demand().site().obstacles().equals(second.plan.demand().site().obstacles())) {
+      row(table, "obstacles (not the same)", first, second, PlanReview::obstacles);
+    }
     for (String camera : differingCameras(first, second)) {
       row(table, "camera " + camera, first, second, review -> review.camera(camera));
     }
@@ -111,6 +114,10 @@ record PlanReview(Path file, EvaluatedPlan plan) {
       PlanReview second,
       Function<PlanReview, String> cell) {
     table.row(List.of(name, cell.apply(first), cell.apply(second)));
+  }
+
+  private String obstacles() {
+    return "" + plan.demand().site().obstacles().size();
   }
 
   private static Set<String> zones(PlanReview first, PlanReview second) {
