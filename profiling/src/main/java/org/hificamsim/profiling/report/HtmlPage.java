@@ -16,7 +16,8 @@ a { color: var(--link) }
 table { border-collapse: collapse; font-size: 0.9rem }
 th, td { border-bottom: 1px solid var(--line); padding: 0.25rem 0.7rem; text-align: right }
 th { border-bottom: 2px solid var(--faint); background: var(--head) }
-td:first-child, th:first-child { text-align: left }
+td:first-child, th:first-child, .text { text-align: left }
+@media (max-width: 600px) { body { padding: 0 0.7rem } table { font-size: 0.8rem } th, td { padding: 0.2rem 0.3rem } td.text { white-space: normal; min-width: 5rem } td:last-child { min-width: 0 } }
 figure { margin: 1.5rem 0; overflow-x: auto } figcaption { color: var(--faint); font-size: 0.9rem }
 img { max-width: 100%; background: #fff }
 @media (prefers-color-scheme: dark) { img { filter: invert(0.9) hue-rotate(180deg) } }
@@ -51,8 +52,12 @@ img { max-width: 100%; background: #fff }
   /** Adds a table with a header. */
   <R> void table(TableLayout<R> layout, List<R> rows) {
     body.append("<div class=\"table\" tabindex=\"0\"><table>\n");
-    row("th", layout.names());
-    rows.forEach(row -> row("td", layout.cells(row)));
+    List<String> names = layout.names();
+    List<List<String>> cells = rows.stream().map(layout::cells).toList();
+    boolean[] texts = new boolean[names.size()];
+    cells.forEach(row -> markTexts(row, texts));
+    row("th", names, texts);
+    cells.forEach(row -> row("td", row, texts));
     body.append("</table></div>\n");
   }
 
@@ -83,11 +88,19 @@ img { max-width: 100%; background: #fff }
         + "</main></body></html>\n";
   }
 
-  private void row(String tag, List<String> cells) {
+  /** Marks the columns in which a row has words, as opposed to numbers. */
+  private static void markTexts(List<String> row, boolean[] texts) {
+    for (int column = 0; column < texts.length; column++) {
+      texts[column] |=
+          row.get(column).codePoints().findFirst().stream().anyMatch(Character::isLetter);
+    }
+  }
+
+  private void row(String tag, List<String> cells, boolean[] texts) {
     body.append("<tr>");
-    for (String cell : cells) {
-      body.append('<').append(tag).append('>');
-      body.append(escaped(cell)).append("</").append(tag).append('>');
+    for (int column = 0; column < texts.length; column++) {
+      body.append('<').append(tag).append(texts[column] ? " class=\"text\">" : ">");
+      body.append(escaped(cells.get(column))).append("</").append(tag).append('>');
     }
     body.append("</tr>\n");
   }
