@@ -35,7 +35,6 @@ class ProfileCommandTest {
                 "profile", "fit", lab, "--population", 60, "--generations", 3, "--restarts", 2));
     assertTrue(fitted.out().contains(" models in "), fitted.out());
     assertTrue(fitted.out().contains("Take "), fitted.out());
-    assertTrue(Files.exists(lab.resolve("report.html")));
     for (String model : List.of("orb-svr-rbf", "sift-pinhole", "surf-lin", "orb-power-gt")) {
       Path file = lab.resolve("models").resolve(model + ".json");
       Path out = folder.resolve(model);
@@ -51,6 +50,9 @@ class ProfileCommandTest {
               out));
       assertTrue(Files.readString(out.resolve("summary.json")).contains("lab:" + model));
     }
+    Browser browser = Browser.shared();
+    browser.open(lab.resolve("report.html").toUri().toString());
+    Accessibility.checkEverywhere(browser);
   }
 
   /** The confidences of twelve photos alternate and do not depend on the distance. */
