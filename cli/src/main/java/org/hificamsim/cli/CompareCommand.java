@@ -108,7 +108,7 @@ final class CompareCommand implements Callable<Integer> {
           ComparisonFigures.write(folder, results, width, style, batch.threads());
           AggregateFiles.write(folder, requested, compared, batch.threads());
           if (latex) {
-            SummaryTables.writeLatex(folder, requested, results);
+            SummaryTables.writeLatex(folder, requested, results, style::name);
           }
           return out -> {
             print(out, results);

@@ -10,6 +10,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
@@ -112,14 +113,18 @@ public final class SummaryTables {
 
   /** A table with aggregates over all scenarios for each detection and policy. */
   public static TextTable aggregates(List<PolicyScores> policies) {
+    return aggregates(policies, UnaryOperator.identity());
+  }
+
+  private static TextTable aggregates(List<PolicyScores> policies, UnaryOperator<String> names) {
     TextTable table =
         new TextTable(2, List.of("detection", "policy", "interquartile mean", "optimality gap"));
     for (PolicyScores policy : policies) {
       Map<Aggregate, Estimate> estimates = Aggregate.estimates(policy.scores());
       table.row(
           List.of(
-              policy.detection(),
-              policy.policy(),
+              names.apply(policy.detection()),
+              names.apply(policy.policy()),
               estimates.get(Aggregate.IQM).text("%.3f"),
               estimates.get(Aggregate.OPTIMALITY_GAP).text("%.3f")));
     }
@@ -132,9 +137,14 @@ public final class SummaryTables {
    * @param requested the cases that were asked for: every policy under every detection in every
    *     scenario
    * @param all those cases and the optima that they are compared with
+   * @param names returns the words that people read for a policy or detection
    */
   public static void writeLatex(
-      OutputFolder folder, List<CaseResult> requested, List<CaseResult> all) throws IOException {
+      OutputFolder folder,
+      List<CaseResult> requested,
+      List<CaseResult> all,
+      UnaryOperator<String> names)
+      throws IOException {
     CaseResult first = all.get(0);
     String seeds = "Means over %s seeds with 95%% intervals.".formatted(first.runs().size());
     String scores =
@@ -145,13 +155,13 @@ public final class SummaryTables {
     List<Figure> figures = shown(all);
     try (Writer out = folder.open(LATEX)) {
       out.write("% \\usepackage{booktabs}\n");
-      out.write(table(all, figures, false).latex(seeds + scores, "tab:hificamsim"));
+      out.write(table(all, figures, false, names).latex(seeds + scores, "tab:hificamsim"));
       if (yardstick.isPresent()) {
         String caption =
             "Aggregates over all runs, proportions of "
                 + yardstick.get().noun()
                 + ": interquartile mean and optimality gap with 95% intervals.";
-        TextTable aggregates = aggregates(PolicyScores.of(requested));
+        TextTable aggregates = aggregates(PolicyScores.of(requested), names);
         out.write("\n" + aggregates.latex(caption, "tab:hificamsim-aggregate"));
       }
     }
@@ -178,14 +188,22 @@ public final class SummaryTables {
   }
 
   private static TextTable table(List<CaseResult> cases, List<Figure> figures, boolean showsCount) {
+    return table(cases, figures, showsCount, UnaryOperator.identity());
+  }
+
+  private static TextTable table(
+      List<CaseResult> cases,
+      List<Figure> figures,
+      boolean showsCount,
+      UnaryOperator<String> names) {
     List<String> header = new ArrayList<>(List.of("scenario", "detection", "policy"));
     figures.forEach(figure -> header.add(figure.title));
     TextTable table = new TextTable(3, header);
     for (CaseResult result : byScore(cases)) {
       List<String> row = new ArrayList<>();
       row.add(result.plan().scenario().name());
-      row.add(result.plan().detection().name());
-      row.add(result.plan().policy());
+      row.add(names.apply(result.plan().detection().name()));
+      row.add(names.apply(result.plan().policy()));
       figures.forEach(figure -> row.add(text(result, figure, showsCount)));
       table.row(row);
     }
