@@ -34,9 +34,6 @@ public final class KMinPanel extends XyPanel {
 
   private static final int HEIGHT = 300;
 
-  /** The end of an axis of shares, which is above 1 so that marks at 1 are whole. */
-  private static final double END_OF_SHARES = 1.04;
-
   private final int steps;
 
   /**
@@ -47,7 +44,7 @@ public final class KMinPanel extends XyPanel {
   public KMinPanel(String title, Objective objective, int steps, double ceiling) {
     super(title, "time (steps)", label(objective));
     this.steps = steps;
-    x(0, steps).y(0, ceiling);
+    x(0, steps).y(0, ceiling).wholeMarks();
   }
 
   /** Returns the figure of one scenario. */
@@ -78,10 +75,10 @@ public final class KMinPanel extends XyPanel {
     return panel;
   }
 
-  /** Returns the end of a y axis that has room for all cases; an axis of shares ends at about 1. */
+  /** Returns the end of a y axis that has room for all cases; an axis of shares ends at 1. */
   public static double ceilingOf(List<CaseResult> cases) {
     double ceiling = ceiling(cases.stream().map(CaseResult::meanScore).toList());
-    return cases.get(0).plan().objective().isShare() ? Math.min(END_OF_SHARES, ceiling) : ceiling;
+    return cases.get(0).plan().objective().isShare() ? Math.min(1, ceiling) : ceiling;
   }
 
   /** Returns the note of a figure that consists of such panels. */
@@ -120,7 +117,7 @@ public final class KMinPanel extends XyPanel {
     return raw.thinned(RAW_POINTS);
   }
 
-  /** Returns the end of a y axis that has room for the curves of these means, and a tenth more. */
+  /** Returns the end of a y axis that has room for the curves of these means, in fifths. */
   static double ceiling(List<double[]> means) {
     double greatest =
         means.stream()
@@ -129,7 +126,7 @@ public final class KMinPanel extends XyPanel {
             .flatMapToDouble(curve -> Arrays.stream(curve.y()))
             .max()
             .orElse(1);
-    return Math.max(0.2, Math.ceil(greatest * 1.1 * 5) / 5);
+    return Math.max(0.2, Math.ceil(5 * greatest) / 5);
   }
 
   /** Adds a dashed horizontal line for a published value. */

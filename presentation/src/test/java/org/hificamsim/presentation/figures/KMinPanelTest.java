@@ -28,7 +28,14 @@ class KMinPanelTest {
   }
 
   @Test
-  void noteMentionsSmoothingAndThinning() {
+  void axisEndsWhereDataDoWithRoomForMarks() {
+    assertEquals(1, KMinPanel.ceiling(List.of(new double[] {0, 1, 0.5})));
+    assertEquals(0.8, KMinPanel.ceiling(List.of(new double[] {0.7})));
+    assertTrue(panel(new double[] {0, 1, 0.5}).getStyler().getPlotContentSize() < 0.95);
+  }
+
+  @Test
+  void noteTellsSmoothingAndThinning() {
     assertEquals("Mean over the runs", KMinPanel.note(19));
     assertEquals("Thick: LOWESS; pale: mean over the runs", KMinPanel.note(250));
     assertTrue(KMinPanel.note(251).contains("in 250 groups of steps"));
