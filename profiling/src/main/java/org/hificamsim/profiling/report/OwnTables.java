@@ -66,7 +66,7 @@ final class OwnTables {
             .with("R2, unseen", row -> fixed(row.value().unseen().r2(), 3))
             .with("RMSE, unseen", row -> fixed(row.value().unseen().rmse(), 4))
             .with(
-                "",
+                "chosen",
                 row -> row.value().equals(onMeasuredPip(row.detector())) ? "on measured PIP" : "")
             .with("curve", row -> row.value().g().equation()),
         result.detectors().stream().flatMap(detectorShapes).toList());
@@ -127,7 +127,7 @@ final class OwnTables {
             .with("R2", scores -> fixed(scores.fit().scores().r2(), 3))
             .with("R2, unseen", scores -> fixed(scores.fit().unseen().r2(), 3))
             .with("detect or not, unseen", scores -> fixed(scores.accuracy(), 3))
-            .with("", scores -> verdict(scores, recommended)),
+            .with("verdict", scores -> verdict(scores, recommended)),
         result.detectors().stream()
             .flatMap(detector -> ModelScores.of(result, detector).stream())
             .toList());
@@ -170,7 +170,7 @@ final class OwnTables {
             .with("error, points", row -> fixed(100 * row.reliability.all().error(), 1))
             .with("worst fifth, points", row -> fixed(100 * row.reliability.worstFifth(), 1))
             .with("log loss", row -> fixed(row.reliability.logLoss(), 3))
-            .with("", row -> row.chosen ? "taken" : ""),
+            .with("chosen", row -> row.chosen ? "taken" : ""),
         rows);
   }
 
