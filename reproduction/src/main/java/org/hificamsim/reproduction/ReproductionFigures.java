@@ -22,6 +22,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.figures.CoverageFigure;
 import org.hificamsim.presentation.figures.KMinPanel;
 import org.hificamsim.presentation.figures.PolicyColors;
+import org.hificamsim.presentation.figures.SpokenNames;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
@@ -136,7 +137,7 @@ public final class ReproductionFigures {
     int width = panels.size() == 1 ? WIDTH + WIDTH / 3 : WIDTH;
     return new Figure(
         "Figure " + figure.number + ": " + figure.title,
-        HIFI + ". " + KMinPanel.note(results),
+        SpokenNames.of(HIFI) + ". " + KMinPanel.note(results),
         legend,
         panels,
         panels.size(),
@@ -154,7 +155,7 @@ public final class ReproductionFigures {
       groups.add(new CoverageFigure.Group(title(number), hifi(number, BARS)));
     }
     return CoverageFigure.of(
-        "Figure 7.9: targets covered by no, one, and more cameras (" + HIFI + ")",
+        "Figure 7.9: targets covered by no, one, and more cameras (" + SpokenNames.of(HIFI) + ")",
         groups,
         3,
         UnaryOperator.identity());
@@ -173,8 +174,8 @@ public final class ReproductionFigures {
         "By scenario (rows) and policy (columns); x: time (steps), y: k_min (cameras). "
             + KMinPanel.note(bothModels(1, PublishedCell.POLICIES)),
         List.of(
-            new LegendEntry(CAMSIM, MODELS.get(CAMSIM), LegendEntry.Mark.LINE),
-            new LegendEntry(HIFI, MODELS.get(HIFI), LegendEntry.Mark.LINE)),
+            new LegendEntry(SpokenNames.of(CAMSIM), MODELS.get(CAMSIM), LegendEntry.Mark.LINE),
+            new LegendEntry(SpokenNames.of(HIFI), MODELS.get(HIFI), LegendEntry.Mark.LINE)),
         panels,
         PublishedCell.POLICIES.size(),
         SMALL_WIDTH,
@@ -244,7 +245,8 @@ public final class ReproductionFigures {
       XyPanel panel =
           new XyPanel(policy, "", "proportion of the optimum")
               .y(0, 1)
-              .names(LAYOUTS.stream().map(Layout::label).toList());
+              .names(LAYOUTS.stream().map(Layout::label).toList())
+              .wholeMarks();
       for (Table81.Cell cell : cells) {
         PublishedCell published = cell.published();
         if (published.policy().equals(policy) && !Double.isNaN(cell.ours().mean())) {
