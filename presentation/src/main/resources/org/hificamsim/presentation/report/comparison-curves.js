@@ -117,7 +117,7 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
   onThemeChange(() => plot && draw());
   const note =
     'Mean over the seeds' +
-    (banded ? `, with 95 % intervals as bands of up to ${MOST_BANDS} lines, the highest` : '') +
+    (banded ? `, with the 95 % intervals of the ${MOST_BANDS} highest as bands` : '') +
     '; a point is one of fifty equal parts of the run, or a step where there are fewer. ' +
     'Hover for numbers, click names to hide lines, drag to zoom in, double-click to zoom out.';
   return card(
