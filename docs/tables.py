@@ -210,7 +210,7 @@ def cooperation(perfect, bad):
         least = min(score / fixed.get(seed, max(fixed.values())) for seed, score in late.items())  # recorded sites have one run
         means = (f"{statistics.mean(found.values()) / most:.2f}" for found in (fixed, own, late))
         lines.append([folder.name, *means, f"{least:.2f}"])
-    put("cooperation", ["", "`best-fixed`", "`cooperative`", "over the bad channel", "its worst run, over `best-fixed`"], lines)
+    write_table("cooperation", ["", "`best-fixed`", "`cooperative`", "over the bad channel", "its worst run, over `best-fixed`"], lines)
 
 
 def scores(folder, policy):

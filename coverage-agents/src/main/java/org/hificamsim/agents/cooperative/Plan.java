@@ -35,7 +35,7 @@ final class Plan {
 
   private Site site;
 
-  /** What a camera whose moves take time must gain by each of them. */
+  /** What a camera that has drives must gain by each of them. */
   private double movePrice;
 
   private double[] unseenTargets = {};
@@ -154,7 +154,7 @@ final class Plan {
     for (int view = 0; view < views; view++) {
       addRewardsBeyondTracks(camera, view, views, rewards);
     }
-    double price = site.travelTimes(camera).takesTime() ? movePrice : 0;
+    double price = movesAtOnce(network, camera) ? 0 : movePrice;
     waySearch.solve(price);
     int present = network.view(camera);
     for (int view = 0; view < views; view++) {
@@ -164,6 +164,11 @@ final class Plan {
     restore(camera, wasPlanned);
     searchedCamera = camera;
     return gains;
+  }
+
+  private static boolean movesAtOnce(NetworkView network, int camera) {
+    return Double.isInfinite(network.turnInStep(camera))
+        && Double.isInfinite(network.zoomInStep(camera));
   }
 
   /** Spreads the gain of a view over the steps in which the camera can see through it. */
