@@ -13,7 +13,7 @@ import org.hificamsim.core.registry.Options;
  * @param further worth of each further camera on a target, as a part of the previous camera's, if
  *     the least k counts
  * @param hold gain that each move on a way must add, as a share of the known targets per camera; 0
- *     for cameras that turn and zoom at once
+ *     where all cameras move at once
  * @param decay weight of a track, compared with the step before, while no camera sees its target
  * @param memory number of steps after which a target that no camera sees is forgotten
  * @param cells approximate number of cells of the search map

@@ -35,7 +35,7 @@ final class Plan {
 
   private Site site;
 
-  /** What a camera that has drives must gain by each of them. */
+  /** What each move of a camera must add. */
   private double movePrice;
 
   private double[] unseenTargets = {};
@@ -71,7 +71,8 @@ final class Plan {
     System.arraycopy(expected, 0, unseenTargets, 0, unseenTargets.length);
     Arrays.fill(planned, false);
     searchedCamera = NONE;
-    movePrice = parameters.hold() * tracks.sumOfWeights() / plannedWays.length;
+    double knownPerCamera = tracks.sumOfWeights() / plannedWays.length;
+    movePrice = hasDrives(network) ? parameters.hold() * knownPerCamera : 0;
     for (int camera = 0; camera < plannedWays.length; camera++) {
       if (network.online(camera)) {
         viewForecasts[camera].update(network, camera, belief, forecast);
@@ -154,21 +155,26 @@ final class Plan {
     for (int view = 0; view < views; view++) {
       addRewardsBeyondTracks(camera, view, views, rewards);
     }
-    double price = movesAtOnce(network, camera) ? 0 : movePrice;
-    waySearch.solve(price);
+    waySearch.solve(movePrice);
     int present = network.view(camera);
     for (int view = 0; view < views; view++) {
       double value = waySearch.value(viewForecasts[camera].delay(view), view);
-      gains[view] = Math.max(0, view == present ? value : value - price);
+      gains[view] = Math.max(0, view == present ? value : value - movePrice);
     }
     restore(camera, wasPlanned);
     searchedCamera = camera;
     return gains;
   }
 
-  private static boolean movesAtOnce(NetworkView network, int camera) {
-    return Double.isInfinite(network.turnInStep(camera))
-        && Double.isInfinite(network.zoomInStep(camera));
+  /** Whether any camera has drives, which wear; those of CamSim's worlds have none. */
+  private static boolean hasDrives(NetworkView network) {
+    boolean found = false;
+    for (int camera = 0; camera < network.cameras() && !found; camera++) {
+      found =
+          Double.isFinite(network.turnInStep(camera))
+              || Double.isFinite(network.zoomInStep(camera));
+    }
+    return found;
   }
 
   /** Spreads the gain of a view over the steps in which the camera can see through it. */
