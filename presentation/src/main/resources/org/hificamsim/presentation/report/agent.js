@@ -52,8 +52,8 @@ export class AgentPanel {
     const oneDirection = !pose.pans; // otherwise the estimates are in the table of views
     const ranked = oneDirection && viewCount(pose) > 1;
     const estimated = ranked && this.run.estimated;
-    const counted = ranked && this.counted;
-    const heads = [pose.lenses ? 'angle' : 'radius', 'detects at'].map(text =>
+    const hasCounts = ranked && this.hasCounts;
+    const rangeHeads = [pose.lenses ? 'angle' : 'radius', 'detects at'].map(text =>
       el('th', {scope: 'col'}, text),
     );
     this.head.replaceChildren(
@@ -103,8 +103,8 @@ export class AgentPanel {
     const view = run.level[camera][frame];
     const blind = run.seen(camera, frame) < 0;
     const online = run.online[camera][frame];
-    const moves = blind && 'on its way to its view, sees nothing';
-    const facts = online ? [detections(run, frame, camera), moves] : ['not online'];
+    const turning = blind && 'turning to its view, sees nothing';
+    const facts = online ? [detections(run, frame, camera), turning] : ['not online'];
     const place = `x ${metres(pose.x)}, y ${metres(pose.y)}`;
     setText(this.facts, [place, ...facts].filter(Boolean).join('; '));
     this.form?.show(camera, pose);

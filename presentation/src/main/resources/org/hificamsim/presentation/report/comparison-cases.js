@@ -214,9 +214,9 @@ function whisker({mean, low, high}, [least, most], colour) {
   }
   drawing.append(svg('line', {x1: 0, x2: 100, y1: 6, y2: 6, class: 'rail'}));
   if (low !== '') {
-    const width = Math.max(0.4, place(high) - place(low));
-    drawing.append(svg('rect', {x: place(low), width, y: 3.5, height: 5, opacity: 0.45}));
+    const width = Math.max(0.4, positionOf(high) - positionOf(low));
+    drawing.append(svg('rect', {x: positionOf(low), width, y: 3.5, height: 5, opacity: 0.45}));
   }
-  drawing.append(svg('rect', {x: place(mean) - 0.6, width: 1.2, y: 1, height: 10}));
+  drawing.append(svg('rect', {x: positionOf(mean) - 0.6, width: 1.2, y: 1, height: 10}));
   return drawing;
 }

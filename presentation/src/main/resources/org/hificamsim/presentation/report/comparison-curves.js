@@ -81,7 +81,7 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
           {label: 'step', value: (chart, step) => step ?? ''},
           ...shown.map((entry, i) => series(entry, share, dashOf(shown, i).line)),
         ],
-        legend: {markers: {dash: (chart, i) => (i ? dashOf(shown, i - 1).piece : 'solid')}},
+        legend: {markers: {dash: (chart, i) => (i ? dashOf(shown, i - 1).borderStyle : 'solid')}},
       },
       [
         shown[0].parts.map(({step}) => Number(step)),

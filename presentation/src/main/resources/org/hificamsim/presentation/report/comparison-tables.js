@@ -107,12 +107,12 @@ function seedsNotice({rows, count, columns}) {
   const runs = rows.map(row => Number(row[columns.indexOf('runs')]));
   const tests = count - runs.filter(number => number < 2).length; // a single run has no p-value
   const seeds = Math.max(...runs);
-  const least = Math.floor(Math.log2(tests / LEVEL)) + 2;
+  const least = Math.floor(Math.log2(tests / SIGNIFICANCE)) + 2;
   if (!rows.length || seeds >= least) return null;
   return el(
     'p',
     {class: 'notice'},
-    `With ${seeds} seeds none of ${tests} differences can have a corrected p below ${LEVEL}: ` +
+    `With ${seeds} seeds none of ${tests} differences can have a corrected p below ${SIGNIFICANCE}: ` +
       `take ${least} seeds, or compare fewer policies. The intervals hold.`,
   );
 }

@@ -11,18 +11,20 @@ import {
 } from './names.js';
 import {isStill} from './views.js';
 
-const LEADING = ['score', 'mean_score']; // the last first
-const OF_K_MIN = ['performance', 'mean_k_min']; // by that objective the same as those
-
-const OF_MOVES = ['zoom_changes', 'zoom_change_rate', 'pan_travel', 'zoom_travel'];
+/** The metrics at the top of the table, in reverse order. */
+const LEADING = ['score', 'mean_score'];
+/** The metrics that repeat the leading ones if k_min is the objective. */
+const K_MIN_METRICS = ['performance', 'mean_k_min'];
+/** The metrics of cameras that move. */
+const MOVE_METRICS = ['zoom_changes', 'zoom_change_rate', 'pan_travel', 'zoom_travel'];
 
 /** Returns the elements `wholeRun`, `settings` and `made`. */
 export function details({summary, names, objective, command, version, replay}) {
   const still = isStill(replay.setup);
   const repeated = summary.repeat > 1;
   const metrics = Object.entries(summary.metrics)
-    .filter(([name]) => !objective.kMin || !OF_K_MIN.includes(name))
-    .filter(([name]) => !still || !OF_MOVES.includes(name))
+    .filter(([name]) => !objective.kMin || !K_MIN_METRICS.includes(name))
+    .filter(([name]) => !still || !MOVE_METRICS.includes(name))
     .sort(([a], [b]) => LEADING.indexOf(b) - LEADING.indexOf(a));
   names.score.unit = scoreUnit(objective);
   names.mean_score.unit = scoreUnit(objective)
