@@ -112,7 +112,8 @@ function seedsNotice({rows, count, columns}) {
   return el(
     'p',
     {class: 'notice'},
-    `With ${seeds} seeds none of ${tests} differences can have a corrected p below ${SIGNIFICANCE}: ` +
+    `With ${seeds} seeds none of ${tests} differences can have a corrected p below ` +
+      `${SIGNIFICANCE}: ` +
       `take ${least} seeds, or compare fewer policies. The intervals hold.`,
   );
 }

@@ -55,7 +55,9 @@ export function describeCamera(run, frame, camera) {
   return [
     `camera ${run.setup.cameras[camera].name}`,
     `x ${metres(pose.x)}, y ${metres(pose.y)}`,
-    run.online[camera][frame] ? describeView(pose, run.level[camera][frame]) + turning : 'not online',
+    run.online[camera][frame]
+      ? describeView(pose, run.level[camera][frame]) + turning
+      : 'not online',
     detections(run, frame, camera),
   ].filter(Boolean);
 }
