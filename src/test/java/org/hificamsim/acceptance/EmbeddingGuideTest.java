@@ -110,7 +110,8 @@ class EmbeddingGuideTest {
             "camsim-core", List.of(),
             "data", List.of("camsim-core", "jackson-databind", "jackson-dataformat-csv"),
             "hifi-detection", List.of("data"),
-            "coverage-agents", List.of("camsim-core", "software-and-algorithms"),
+            "solver", List.of("camsim-core"),
+            "coverage-agents", List.of("solver", "software-and-algorithms"),
             "catalogue", List.of("coverage-agents", "hifi-detection"));
     return libraries.entrySet().stream()
         .map(

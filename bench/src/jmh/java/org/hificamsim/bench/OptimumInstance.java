@@ -1,7 +1,7 @@
 package org.hificamsim.bench;
 
 import java.util.SplittableRandom;
-import org.hificamsim.agents.search.CoverageProblem;
+import org.hificamsim.solver.configuration.CoverageProblem;
 
 /**
  * One step of a random field, as a coverage problem. It is a hard one, since no level is better in

@@ -8,10 +8,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.hificamsim.agents.search.CoverageProblem;
-import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.bench.OptimumInstance.Density;
 import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.solver.configuration.CoverageProblem;
+import org.hificamsim.solver.configuration.StepSolver;
 
 /**
  * Measures the time of proofs of optimality on 30 instances of each {@link Density}, on one thread.

@@ -15,9 +15,9 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import org.hificamsim.placement.cover.CoverInstance;
-import org.hificamsim.placement.cover.ExactMethod;
-import org.hificamsim.placement.cover.Goal;
+import org.hificamsim.solver.cover.CoverInstance;
+import org.hificamsim.solver.cover.ExactMethod;
+import org.hificamsim.solver.cover.Goal;
 
 /**
  * Solves covering problems exactly by the mixed-integer solver SCIP, which comes with OR-Tools. A

@@ -1,11 +1,11 @@
 package org.hificamsim.agents.cooperative;
 
 import java.util.Arrays;
-import org.hificamsim.agents.ways.TravelTimes;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.VisibleRegion;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.visibility.Body;
+import org.hificamsim.solver.way.TravelTimes;
 
 /**
  * The cameras' knowledge of the site: its cells, and what each camera can see according to the map.

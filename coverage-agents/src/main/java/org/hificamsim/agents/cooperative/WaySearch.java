@@ -1,7 +1,7 @@
 package org.hificamsim.agents.cooperative;
 
 import java.util.Arrays;
-import org.hificamsim.agents.ways.TravelTimes;
+import org.hificamsim.solver.way.TravelTimes;
 
 /**
  * Finds the best ways of a camera through its views up to the horizon, by dynamic programming over

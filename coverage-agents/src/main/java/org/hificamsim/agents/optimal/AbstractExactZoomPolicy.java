@@ -1,9 +1,9 @@
 package org.hificamsim.agents.optimal;
 
-import org.hificamsim.agents.search.Solver;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
+import org.hificamsim.solver.configuration.Solver;
 
 /**
  * A policy that finds the best configuration of each step exactly, and counts the steps in which it

@@ -1,12 +1,12 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.Arrays;
-import org.hificamsim.agents.search.CoverageProblem;
-import org.hificamsim.agents.search.RunSolver;
-import org.hificamsim.agents.search.Solver;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
+import org.hificamsim.solver.configuration.CoverageProblem;
+import org.hificamsim.solver.configuration.RunSolver;
+import org.hificamsim.solver.configuration.Solver;
 
 /**
  * Keeps the constant configuration with the best score, by default the performance (Eq 7.2), over

@@ -3,7 +3,8 @@ package org.hificamsim.agents.optimal;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * Fills the problem of a {@link org.hificamsim.agents.search.Solver} with what cameras can detect.
+ * Fills the problem of a {@link org.hificamsim.solver.configuration.Solver} with what cameras can
+ * detect.
  */
 interface ConfigurationSets {
   /**

@@ -1,8 +1,8 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.Arrays;
-import org.hificamsim.agents.search.CoverageProblem;
 import org.hificamsim.core.policy.OracleView;
+import org.hificamsim.solver.configuration.CoverageProblem;
 
 /**
  * The detection sets of each camera's candidate views, in order of preference, as a coverage

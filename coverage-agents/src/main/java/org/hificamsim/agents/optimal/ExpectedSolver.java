@@ -1,8 +1,8 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.Arrays;
-import org.hificamsim.agents.search.BranchAndBound;
-import org.hificamsim.agents.search.Solver;
+import org.hificamsim.solver.configuration.BranchAndBound;
+import org.hificamsim.solver.configuration.Solver;
 
 /**
  * Finds the configuration with the greatest least expected coverage. It chooses a row for each

@@ -1,9 +1,9 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
-import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
+import org.hificamsim.solver.configuration.StepSolver;
 
 /**
  * Chooses in each step the configuration with the best score, by default k_min (Eq 7.1), among

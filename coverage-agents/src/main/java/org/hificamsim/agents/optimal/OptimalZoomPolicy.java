@@ -2,13 +2,13 @@ package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
 import java.util.function.BiFunction;
-import org.hificamsim.agents.search.BoundSolver;
-import org.hificamsim.agents.search.CoverageProblem;
-import org.hificamsim.agents.search.Solver;
-import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
+import org.hificamsim.solver.configuration.BoundSolver;
+import org.hificamsim.solver.configuration.CoverageProblem;
+import org.hificamsim.solver.configuration.Solver;
+import org.hificamsim.solver.configuration.StepSolver;
 
 /**
  * Chooses in each step the configuration with the best score, by default k_min (Eq 7.1), by an

@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.hificamsim.agents.ways.TravelTimes;
-import org.hificamsim.agents.ways.WaySolver;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.BoundedZoomPolicy;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
+import org.hificamsim.solver.way.TravelTimes;
+import org.hificamsim.solver.way.WaySolver;
 
 /**
  * The best that the cameras could have scored, given how long their moves take, if everything had

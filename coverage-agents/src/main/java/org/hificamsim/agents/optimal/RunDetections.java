@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
-import org.hificamsim.agents.search.CoverageProblem;
-import org.hificamsim.agents.ways.TravelTimes;
-import org.hificamsim.agents.ways.WayProblem;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.OracleView;
+import org.hificamsim.solver.configuration.CoverageProblem;
+import org.hificamsim.solver.way.TravelTimes;
+import org.hificamsim.solver.way.WayProblem;
 
 /**
  * Collects what each camera would detect in each of its views over a whole run.

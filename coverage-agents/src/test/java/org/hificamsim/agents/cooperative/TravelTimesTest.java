@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.hificamsim.agents.toy.RealWorld;
-import org.hificamsim.agents.ways.TravelTimes;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
+import org.hificamsim.solver.way.TravelTimes;
 import org.junit.jupiter.api.Test;
 
 class TravelTimesTest {

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
-import org.hificamsim.agents.ways.TravelTimes;
+import org.hificamsim.solver.way.TravelTimes;
 import org.junit.jupiter.api.Test;
 
 class WaySearchTest {

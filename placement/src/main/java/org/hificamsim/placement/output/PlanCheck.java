@@ -21,12 +21,6 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.data.CsvRow;
-import org.hificamsim.placement.cover.CoverInstance;
-import org.hificamsim.placement.cover.CoverPlan;
-import org.hificamsim.placement.cover.CoverSearch;
-import org.hificamsim.placement.cover.Effort;
-import org.hificamsim.placement.cover.Goal;
-import org.hificamsim.placement.cover.LagrangianBound;
 import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.Demand.DemandPoint;
@@ -34,6 +28,12 @@ import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.placement.site.PlanArea;
 import org.hificamsim.placement.site.PointSight;
 import org.hificamsim.runs.output.ResultFolder;
+import org.hificamsim.solver.cover.CoverInstance;
+import org.hificamsim.solver.cover.CoverPlan;
+import org.hificamsim.solver.cover.CoverSearch;
+import org.hificamsim.solver.cover.Effort;
+import org.hificamsim.solver.cover.Goal;
+import org.hificamsim.solver.cover.LagrangianBound;
 
 /**
  * Checks a plan by the files in its folder only. A target stands at each point of the demand, steps

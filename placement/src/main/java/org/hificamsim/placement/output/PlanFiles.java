@@ -17,7 +17,6 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Floorplan;
-import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.output.PlanTables.CameraRow;
 import org.hificamsim.placement.output.PlanTables.PointRow;
 import org.hificamsim.placement.site.CameraPlan;
@@ -32,6 +31,7 @@ import org.hificamsim.placement.site.SitePlan.CurvePoint;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.output.JsonOutput;
 import org.hificamsim.runs.output.ResultFolder;
+import org.hificamsim.solver.cover.CoverPlan;
 
 /**
  * Writes the files of a plan: a scenario that can be run, a summary, tables, pages and pictures.

@@ -19,7 +19,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.OpticsLaw;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
-import org.hificamsim.placement.cover.CoverInstance;
+import org.hificamsim.solver.cover.CoverInstance;
 
 /**
  * The cameras that could be mounted, with the points of the demand that each covers. There is one

@@ -12,16 +12,16 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
-import org.hificamsim.placement.cover.CheaperPlan;
-import org.hificamsim.placement.cover.CoverInstance;
-import org.hificamsim.placement.cover.CoverPlan;
-import org.hificamsim.placement.cover.CoverSearch;
-import org.hificamsim.placement.cover.CurveBounds;
-import org.hificamsim.placement.cover.Effort;
-import org.hificamsim.placement.cover.Goal;
 import org.hificamsim.placement.site.Candidates.Candidate;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.placement.site.SitePlan.Shares;
+import org.hificamsim.solver.cover.CheaperPlan;
+import org.hificamsim.solver.cover.CoverInstance;
+import org.hificamsim.solver.cover.CoverPlan;
+import org.hificamsim.solver.cover.CoverSearch;
+import org.hificamsim.solver.cover.CurveBounds;
+import org.hificamsim.solver.cover.Effort;
+import org.hificamsim.solver.cover.Goal;
 
 /**
  * The problem of where to mount cameras on a site, as a covering problem.

@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.scenario.spec.CameraSpec;
-import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.runs.cells.FieldCells;
+import org.hificamsim.solver.cover.CoverInstance;
 
 /**
  * The part of a demand that cameras cover.

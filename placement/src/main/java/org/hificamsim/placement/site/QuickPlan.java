@@ -10,9 +10,9 @@ import org.hificamsim.core.Ranges;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.placement.cover.Effort;
-import org.hificamsim.placement.cover.Goal;
 import org.hificamsim.presentation.view.Planner;
+import org.hificamsim.solver.cover.Effort;
+import org.hificamsim.solver.cover.Goal;
 
 /**
  * Searches in a short time for a plan of cameras with fixed views, while a user waits for it.

@@ -10,11 +10,11 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
-import org.hificamsim.placement.cover.CoverInstance;
-import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.site.Candidates.Candidate;
 import org.hificamsim.placement.site.Demand.DemandPoint;
 import org.hificamsim.runs.cells.UsualTarget;
+import org.hificamsim.solver.cover.CoverInstance;
+import org.hificamsim.solver.cover.CoverPlan;
 
 /**
  * A plan that a search has found for a site, and how good it is.

@@ -15,11 +15,11 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Zone;
-import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.site.Candidates.Candidate;
 import org.hificamsim.presentation.view.Planner;
 import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.cells.ZoneArea;
+import org.hificamsim.solver.cover.CoverInstance;
 
 /**
  * Plans cameras while a site is edited. To be fast, it uses large cells and few mount points. A

@@ -1,0 +1,88 @@
+package org.hificamsim.solver.configuration;
+
+/**
+ * Bounds a sum of worths by what each camera can add to the coverage that is certain: the set with
+ * the greatest gain. A target's gain is the slope of its worth's concave majorant. This is the
+ * bound of the greedy algorithm for submodular functions (Nemhauser, Wolsey and Fisher 1978),
+ * extended to worths that are not concave.
+ *
+ * <p>Gains are those of the last {@link #update}.
+ */
+final class GainBound {
+  private final CoverageProblem problem;
+  private final RemainingSets remaining;
+  private final TargetWorth worth;
+  private final long[] targetGains;
+  private final long[] setGains;
+  private final long[] cameraGains;
+
+  GainBound(CoverageProblem problem, RemainingSets remaining, TargetWorth worth) {
+    this.problem = problem;
+    this.remaining = remaining;
+    this.worth = worth;
+    targetGains = new long[problem.maxTargets()];
+    setGains = new long[problem.maxSets()];
+    cameraGains = new long[problem.maxCameras()];
+  }
+
+  /**
+   * Computes the greatest gain of each set that remains now.
+   *
+   * @return the sum of all cameras' greatest gains
+   */
+  long update() {
+    for (int target = 0; target < problem.targets(); target++) {
+      targetGains[target] =
+          worth.slope(remaining.minCoverage(target), remaining.maxCoverage(target));
+    }
+    long sum = 0;
+    for (int i = 0; i < remaining.choosingCameras(); i++) {
+      int camera = remaining.choosingCamera(i);
+      cameraGains[camera] = remaining.isOpen(camera) ? updateSets(camera) : 0;
+      sum += cameraGains[camera];
+    }
+    return sum;
+  }
+
+  private long updateSets(int camera) {
+    long greatest = 0;
+    for (int set = problem.firstSet(camera); set < problem.endSet(camera); set++) {
+      if (remaining.has(set)) {
+        setGains[set] = sumOfGains(camera, set);
+        greatest = Math.max(greatest, setGains[set]);
+      }
+    }
+    return greatest;
+  }
+
+  private long sumOfGains(int camera, int set) {
+    long sum = 0;
+    for (int word = 0; word < problem.words(); word++) {
+      long bits = problem.mask(set, word) & remaining.undecided(camera, word);
+      for (; bits != 0; bits &= bits - 1) {
+        sum += targetGains[(word << 6) + Long.numberOfTrailingZeros(bits)];
+      }
+    }
+    return sum;
+  }
+
+  /**
+   * Removes the sets with which the sum cannot reach what is required.
+   *
+   * @param surplus how far the bound exceeds the sum required
+   * @return whether every camera still has a set
+   */
+  boolean removeSetsBelow(long surplus) {
+    return remaining.removeBelow(setGains, cameraGains, surplus);
+  }
+
+  /** The greatest gain of a set of an open camera. */
+  long gain(int set) {
+    return setGains[set];
+  }
+
+  /** The greatest gain of all sets of an open camera. */
+  long greatestGain(int camera) {
+    return cameraGains[camera];
+  }
+}
