@@ -6,6 +6,7 @@ import org.hificamsim.agents.choice.PanAngles;
 import org.hificamsim.core.policy.OraclePolicy;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
+import org.hificamsim.solver.BitMatrix;
 
 /**
  * Each camera takes the view in which it would detect most targets now, and ignores what others
@@ -55,7 +56,7 @@ public final class IndependentGreedyZoomPolicy implements OraclePolicy {
   public void begin(OracleView network, SplittableRandom random) {
     expected =
         new double[IntStream.range(0, network.cameras()).map(network::views).max().orElse(0)];
-    words = (network.targets() + Long.SIZE - 1) / Long.SIZE;
+    words = BitMatrix.wordsFor(network.targets());
     masks = new long[expected.length * words];
     targets = new int[network.targets() + 1];
     chances = new double[network.targets() + 1];

@@ -2,6 +2,7 @@ package org.hificamsim.agents.optimal;
 
 import java.util.Arrays;
 import org.hificamsim.core.policy.OracleView;
+import org.hificamsim.solver.BitMatrix;
 import org.hificamsim.solver.configuration.CoverageProblem;
 
 /**
@@ -51,7 +52,7 @@ final class DetectionSets implements ConfigurationSets {
     problem = new CoverageProblem(network.cameras(), allViews, network.targets());
     problemNumber = new int[network.targets()];
     viewOf = new int[allViews];
-    networkWords = CoverageProblem.wordsFor(network.targets());
+    networkWords = BitMatrix.wordsFor(network.targets());
     viewMasks = new long[maxViews * networkWords];
     candidateMasks = new long[maxViews * networkWords];
     preferred = new int[maxViews];
@@ -162,7 +163,7 @@ final class DetectionSets implements ConfigurationSets {
     for (int word = 0; word < networkWords; word++) {
       candidateSizes[candidate] += Long.bitCount(viewMasks[from + word]);
       for (long bits = viewMasks[from + word]; bits != 0; bits &= bits - 1) {
-        int number = problemNumber[(word << 6) + Long.numberOfTrailingZeros(bits)];
+        int number = problemNumber[BitMatrix.firstColumn(word, bits)];
         candidateMasks[to + (number >> 6)] |= 1L << number;
       }
     }

@@ -6,6 +6,7 @@ import java.util.BitSet;
 import java.util.List;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.OracleView;
+import org.hificamsim.solver.BitMatrix;
 import org.hificamsim.solver.configuration.CoverageProblem;
 import org.hificamsim.solver.way.TravelTimes;
 import org.hificamsim.solver.way.WayProblem;
@@ -75,12 +76,12 @@ final class RunDetections {
   /** Adds what a camera detects in each of its views. Every detected target counts. */
   private void addDetections(OracleView network, int camera) {
     BitSet[] views = detectedMoments.get(camera);
-    int words = (network.targets() + Long.SIZE - 1) / Long.SIZE;
+    int words = BitMatrix.wordsFor(network.targets());
     masks = masks.length < views.length * words ? new long[views.length * words] : masks;
     network.detections(camera, masks, words);
     for (int i = 0; i < views.length * words; i++) {
       for (long bits = masks[i]; bits != 0; bits &= bits - 1) {
-        int target = i % words * Long.SIZE + Long.numberOfTrailingZeros(bits);
+        int target = BitMatrix.firstColumn(i % words, bits);
         views[i / words].set(momentByTarget[target]);
       }
     }

@@ -22,6 +22,7 @@ import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.cells.UsualTarget;
+import org.hificamsim.solver.BitMatrix;
 
 /**
  * Finds which points of a demand cameras see in each of their views. It simulates a world in which
@@ -128,7 +129,7 @@ public final class PointSight {
   }
 
   private void addSeen(OracleView oracle, int camera, Demand.ZoneDemand zone, int[][][] seen) {
-    int words = (zone.count() + Long.SIZE - 1) / Long.SIZE;
+    int words = BitMatrix.wordsFor(zone.count());
     long[] masks = new long[oracle.views(camera) * words];
     oracle.detections(camera, masks, words);
     Zone place = demand.place(zone);

@@ -1,6 +1,7 @@
 package org.hificamsim.solver.configuration;
 
 import java.util.Arrays;
+import org.hificamsim.solver.BitMatrix;
 
 /** One set for each camera, and how many cameras cover each target with these sets. */
 final class Configuration {
@@ -59,7 +60,7 @@ final class Configuration {
 
   private void count(int set, int change) {
     for (int word = 0; word < problem.words(); word++) {
-      CoverageProblem.add(coverage, word, problem.mask(set, word), change);
+      BitMatrix.add(coverage, word, problem.mask(set, word), change);
     }
   }
 
@@ -68,8 +69,8 @@ final class Configuration {
     for (int word = 0; word < problem.words(); word++) {
       long before = problem.mask(sets[camera], word);
       long after = problem.mask(set, word);
-      CoverageProblem.add(coverage, word, before & ~after, -1);
-      CoverageProblem.add(coverage, word, after & ~before, 1);
+      BitMatrix.add(coverage, word, before & ~after, -1);
+      BitMatrix.add(coverage, word, after & ~before, 1);
     }
     sets[camera] = set;
   }

@@ -1,12 +1,14 @@
 package org.hificamsim.solver.configuration;
 
+import org.hificamsim.solver.BitMatrix;
+
 /**
  * A coverage problem: each camera chooses one of its detection sets. An {@link
  * org.hificamsim.core.metrics.Objective} scores a choice by how many cameras cover each target.
  *
  * <p>Cameras, sets and targets are numbered from 0. A camera's sets are listed in its order of
  * preference, which decides between equally good choices; a set may equal, include or be included
- * in another one. Sets are bit masks, target t at bit {@code t % 64} of word {@code t / 64}.
+ * in another one. Sets are rows of a {@link BitMatrix}.
  *
  * <p>An object can be used for many problems. To fill it, call {@link #clear}, and for each camera
  * {@link #addCamera} and then {@link #addSet} for each of its sets.
@@ -14,10 +16,9 @@ package org.hificamsim.solver.configuration;
 public final class CoverageProblem {
   private final int[] firstSet;
   private final int[] cameraOf;
-  private final long[] masks;
+  private final BitMatrix masks;
   private final int maxTargets;
   private int targets;
-  private int words;
   private int cameras;
   private int sets;
 
@@ -27,13 +28,8 @@ public final class CoverageProblem {
   public CoverageProblem(int maxCameras, int maxSets, int maxTargets) {
     firstSet = new int[maxCameras + 1];
     cameraOf = new int[maxSets];
-    masks = new long[maxSets * wordsFor(maxTargets)];
+    masks = new BitMatrix(maxSets, maxTargets);
     this.maxTargets = maxTargets;
-  }
-
-  /** The number of words that a set of targets takes. */
-  public static int wordsFor(int targets) {
-    return (targets + Long.SIZE - 1) / Long.SIZE;
   }
 
   /** Removes all cameras, and sets the number of targets. */
@@ -43,7 +39,7 @@ public final class CoverageProblem {
           "targets is " + targets + ", expected at most " + maxTargets);
     }
     this.targets = targets;
-    words = wordsFor(targets);
+    masks.reshape(targets);
     cameras = 0;
     sets = 0;
   }
@@ -56,9 +52,7 @@ public final class CoverageProblem {
 
   /** Adds a set to the last camera: {@code words()} words of {@code source} from {@code from}. */
   public void addSet(long[] source, int from) {
-    for (int word = 0; word < words; word++) {
-      masks[sets * words + word] = source[from + word];
-    }
+    masks.setRow(sets, source, from);
     cameraOf[sets] = cameras - 1;
     sets++;
     firstSet[cameras] = sets;
@@ -74,7 +68,7 @@ public final class CoverageProblem {
 
   /** The number of words of one set. */
   public int words() {
-    return words;
+    return masks.words();
   }
 
   /** The number of sets of all cameras. */
@@ -99,12 +93,12 @@ public final class CoverageProblem {
 
   /** Returns one word of a set's bit mask. */
   public long mask(int set, int word) {
-    return masks[set * words + word];
+    return masks.word(set, word);
   }
 
   /** Whether the target is in the set. */
   public boolean contains(int set, int target) {
-    return (masks[set * words + (target >> 6)] >>> target & 1) != 0;
+    return masks.has(set, target);
   }
 
   /** Whether any set of any camera holds the target. */
@@ -118,21 +112,14 @@ public final class CoverageProblem {
 
   /** Whether a set holds all targets of another one. */
   boolean includes(int set, int other) {
-    boolean includes = true;
-    for (int word = 0; word < words; word++) {
-      includes &= (mask(other, word) & ~mask(set, word)) == 0;
-    }
-    return includes;
+    return masks.includes(set, other);
   }
 
   /** Whether a set of the last camera includes the mask at {@code from} in {@code source}. */
   public boolean lastCameraIncludes(long[] source, int from) {
     boolean included = false;
     for (int set = firstSet[cameras - 1]; set < sets && !included; set++) {
-      included = true;
-      for (int word = 0; word < words; word++) {
-        included &= (source[from + word] & ~mask(set, word)) == 0;
-      }
+      included = masks.includes(set, source, from);
     }
     return included;
   }
@@ -150,13 +137,6 @@ public final class CoverageProblem {
       }
     }
     return largest;
-  }
-
-  /** Adds {@code change} to the count of each target in one word of a mask. */
-  static void add(int[] counts, int word, long mask, int change) {
-    for (long bits = mask; bits != 0; bits &= bits - 1) {
-      counts[(word << 6) + Long.numberOfTrailingZeros(bits)] += change;
-    }
   }
 
   int maxCameras() {

@@ -1,5 +1,7 @@
 package org.hificamsim.solver.configuration;
 
+import org.hificamsim.solver.BitMatrix;
+
 /**
  * Bounds a sum of worths by what each camera can add to the coverage that is certain: the set with
  * the greatest gain. A target's gain is the slope of its worth's concave majorant. This is the
@@ -58,10 +60,8 @@ final class GainBound {
   private long sumOfGains(int camera, int set) {
     long sum = 0;
     for (int word = 0; word < problem.words(); word++) {
-      long bits = problem.mask(set, word) & remaining.undecided(camera, word);
-      for (; bits != 0; bits &= bits - 1) {
-        sum += targetGains[(word << 6) + Long.numberOfTrailingZeros(bits)];
-      }
+      long undecided = problem.mask(set, word) & remaining.undecided(camera, word);
+      sum += BitMatrix.sum(targetGains, word, undecided);
     }
     return sum;
   }

@@ -1,6 +1,7 @@
 package org.hificamsim.solver.configuration;
 
 import java.util.Arrays;
+import org.hificamsim.solver.BitMatrix;
 
 /**
  * Improves a configuration one camera at a time: each camera takes the set that helps most, given
@@ -110,7 +111,7 @@ final class LocalSearch {
     long help = 0;
     for (int word = 0; word < problem.words(); word++) {
       for (long bits = problem.mask(set, word); bits != 0; bits &= bits - 1) {
-        int target = (word << 6) + Long.numberOfTrailingZeros(bits);
+        int target = BitMatrix.firstColumn(word, bits);
         int k = trial.coverage()[target];
         help += weights[target] * worth.gain(k) + (k < worth.saturation() ? 1 : 0);
       }

@@ -1,6 +1,7 @@
 package org.hificamsim.solver.configuration;
 
 import java.util.Arrays;
+import org.hificamsim.solver.BitMatrix;
 
 /**
  * Bounds a sum of worths by prices for covering targets (Lagrangian relaxation): every camera
@@ -146,7 +147,7 @@ final class Prices {
         }
       }
       for (int word = 0; word < problem.words(); word++) {
-        CoverageProblem.add(offers, word, problem.mask(mostExpensive, word), 1);
+        BitMatrix.add(offers, word, problem.mask(mostExpensive, word), 1);
       }
     }
   }
@@ -164,9 +165,7 @@ final class Prices {
   private long sumOfPrices(int set) {
     long sum = 0;
     for (int word = 0; word < problem.words(); word++) {
-      for (long bits = problem.mask(set, word); bits != 0; bits &= bits - 1) {
-        sum += targetPrices[(word << 6) + Long.numberOfTrailingZeros(bits)];
-      }
+      sum += BitMatrix.sum(targetPrices, word, problem.mask(set, word));
     }
     return sum;
   }

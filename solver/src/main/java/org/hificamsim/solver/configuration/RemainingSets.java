@@ -2,6 +2,7 @@ package org.hificamsim.solver.configuration;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import org.hificamsim.solver.BitMatrix;
 
 /**
  * The sets that each camera may still choose, and the range of coverage that follows for each
@@ -18,8 +19,13 @@ final class RemainingSets {
   private final int[] setCounts;
   private final int[] removedSets;
   private final int[] choosingCameras;
-  private final long[] unions;
-  private final long[] intersections;
+
+  /** By camera: the targets that any of its remaining sets holds. */
+  private final BitMatrix unions;
+
+  /** By camera: the targets that all of its remaining sets hold. */
+  private final BitMatrix intersections;
+
   private final int[] maxCoverage;
   private final int[] minCoverage;
   private boolean inclusionIsKnown;
@@ -33,8 +39,8 @@ final class RemainingSets {
     setCounts = new int[problem.maxCameras()];
     removedSets = new int[problem.maxSets()];
     choosingCameras = new int[problem.maxCameras()];
-    unions = new long[problem.maxCameras() * CoverageProblem.wordsFor(problem.maxTargets())];
-    intersections = new long[unions.length];
+    unions = new BitMatrix(problem.maxCameras(), problem.maxTargets());
+    intersections = new BitMatrix(problem.maxCameras(), problem.maxTargets());
     maxCoverage = new int[problem.maxTargets()];
     minCoverage = new int[problem.maxTargets()];
   }
@@ -44,6 +50,8 @@ final class RemainingSets {
     inclusionIsKnown = false;
     choosingCount = 0;
     removalCount = 0;
+    unions.reshape(problem.targets());
+    intersections.reshape(problem.targets());
     Arrays.fill(remains, 0, problem.sets(), true);
     Arrays.fill(maxCoverage, 0, problem.targets(), 0);
     Arrays.fill(minCoverage, 0, problem.targets(), 0);
@@ -53,14 +61,10 @@ final class RemainingSets {
       choosingCount += setCounts[camera] > 1 ? 1 : 0;
       for (int word = 0; word < problem.words(); word++) {
         combineSets(camera, word);
-        CoverageProblem.add(maxCoverage, word, union(camera, word), 1);
-        CoverageProblem.add(minCoverage, word, intersections[index(camera, word)], 1);
+        BitMatrix.add(maxCoverage, word, union(camera, word), 1);
+        BitMatrix.add(minCoverage, word, intersections.word(camera, word), 1);
       }
     }
-  }
-
-  private int index(int camera, int word) {
-    return camera * problem.words() + word;
   }
 
   private void combineSets(int camera, int word) {
@@ -72,8 +76,8 @@ final class RemainingSets {
         intersection &= problem.mask(set, word);
       }
     }
-    unions[index(camera, word)] = union;
-    intersections[index(camera, word)] = intersection;
+    unions.setWord(camera, word, union);
+    intersections.setWord(camera, word, intersection);
   }
 
   /**
@@ -115,11 +119,10 @@ final class RemainingSets {
     }
     for (int word = 0; word < problem.words(); word++) {
       long unionBefore = union(camera, word);
-      long intersectionBefore = intersections[index(camera, word)];
+      long intersectionBefore = intersections.word(camera, word);
       combineSets(camera, word);
-      CoverageProblem.add(maxCoverage, word, unionBefore & ~union(camera, word), -1);
-      CoverageProblem.add(
-          minCoverage, word, intersections[index(camera, word)] & ~intersectionBefore, 1);
+      BitMatrix.add(maxCoverage, word, unionBefore & ~union(camera, word), -1);
+      BitMatrix.add(minCoverage, word, intersections.word(camera, word) & ~intersectionBefore, 1);
     }
     return true;
   }
@@ -136,10 +139,10 @@ final class RemainingSets {
     setCounts[camera] = 1;
     for (int word = 0; word < problem.words(); word++) {
       long mask = problem.mask(set, word);
-      CoverageProblem.add(maxCoverage, word, union(camera, word) & ~mask, -1);
-      CoverageProblem.add(minCoverage, word, mask & ~intersections[index(camera, word)], 1);
-      unions[index(camera, word)] = mask;
-      intersections[index(camera, word)] = mask;
+      BitMatrix.add(maxCoverage, word, union(camera, word) & ~mask, -1);
+      BitMatrix.add(minCoverage, word, mask & ~intersections.word(camera, word), 1);
+      unions.setWord(camera, word, mask);
+      intersections.setWord(camera, word, mask);
     }
   }
 
@@ -184,10 +187,10 @@ final class RemainingSets {
     if (setCounts[camera]++ > 0) {
       for (int word = 0; word < problem.words(); word++) {
         long mask = problem.mask(set, word);
-        CoverageProblem.add(maxCoverage, word, mask & ~union(camera, word), 1);
-        CoverageProblem.add(minCoverage, word, intersections[index(camera, word)] & ~mask, -1);
-        unions[index(camera, word)] |= mask;
-        intersections[index(camera, word)] &= mask;
+        BitMatrix.add(maxCoverage, word, mask & ~union(camera, word), 1);
+        BitMatrix.add(minCoverage, word, intersections.word(camera, word) & ~mask, -1);
+        unions.setWord(camera, word, union(camera, word) | mask);
+        intersections.setWord(camera, word, intersections.word(camera, word) & mask);
       }
     }
   }
@@ -250,16 +253,16 @@ final class RemainingSets {
 
   /** The targets that any remaining set of the camera holds: one word of the mask. */
   long union(int camera, int word) {
-    return unions[index(camera, word)];
+    return unions.word(camera, word);
   }
 
   /** The targets that some, but not all, remaining sets of the camera hold: a word of the mask. */
   long undecided(int camera, int word) {
-    return unions[index(camera, word)] & ~intersections[index(camera, word)];
+    return unions.word(camera, word) & ~intersections.word(camera, word);
   }
 
   /** Whether some, but not all, remaining sets of the camera hold the target. */
   boolean isUndecided(int camera, int target) {
-    return (undecided(camera, target >> 6) >>> target & 1) != 0;
+    return unions.has(camera, target) && !intersections.has(camera, target);
   }
 }

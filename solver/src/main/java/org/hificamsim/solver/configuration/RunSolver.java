@@ -3,6 +3,7 @@ package org.hificamsim.solver.configuration;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.solver.BitMatrix;
 
 /**
  * Finds the constant configuration with the best score over a finished run. Coordinate ascent, from
@@ -187,7 +188,7 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
   private void countLost(int camera, int set, int change) {
     for (int word = 0; word < problem.words(); word++) {
       long lost = remaining.union(camera, word) & ~problem.mask(set, word);
-      CoverageProblem.add(optimisticCoverage, word, lost, change);
+      BitMatrix.add(optimisticCoverage, word, lost, change);
     }
   }
 

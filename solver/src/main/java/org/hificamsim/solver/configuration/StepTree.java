@@ -1,5 +1,7 @@
 package org.hificamsim.solver.configuration;
 
+import org.hificamsim.solver.BitMatrix;
+
 /**
  * The tree of configurations that meet the requirements of some {@link Stage}s. A decision gives a
  * camera a set, and refusing it removes the set. Before each decision the stages remove sets that
@@ -232,7 +234,7 @@ final class StepTree implements BranchAndBound.Tree {
     for (int word = 0; word < problem.words(); word++) {
       long added = problem.mask(set, word) & ~problem.mask(refused, word);
       for (; added != 0; added &= added - 1) {
-        int target = (word << 6) + Long.numberOfTrailingZeros(added);
+        int target = BitMatrix.firstColumn(word, added);
         for (int stage = 0; stage < stageCount; stage++) {
           if (stages[stage].isOpen(target)) {
             return true;

@@ -1,6 +1,6 @@
 package org.hificamsim.solver.configuration;
 
-import java.util.Arrays;
+import org.hificamsim.solver.BitMatrix;
 
 /**
  * The range of a sum of worths over all choices of the cameras among their remaining sets: from
@@ -13,7 +13,7 @@ final class SumRange {
   private final RemainingSets remaining;
   private final TargetWorth worth;
   private final long[] lastCameraWorth;
-  private final long[] indispensable;
+  private final BitMatrix indispensable;
   private long min;
   private long max;
 
@@ -22,7 +22,7 @@ final class SumRange {
     this.remaining = remaining;
     this.worth = worth;
     lastCameraWorth = new long[problem.maxTargets()];
-    indispensable = new long[CoverageProblem.wordsFor(problem.maxTargets())];
+    indispensable = new BitMatrix(1, problem.maxTargets());
   }
 
   /** Computes the range for the sets that remain now. */
@@ -55,10 +55,11 @@ final class SumRange {
    */
   boolean removeSetsWithoutIndispensable(long surplus) {
     boolean anyIndispensable = false;
-    Arrays.fill(indispensable, 0, problem.words(), 0);
+    indispensable.reshape(problem.targets());
+    indispensable.clear(0);
     for (int target = 0; target < problem.targets(); target++) {
       if (lastCameraWorth[target] > surplus) {
-        indispensable[target >> 6] |= 1L << target;
+        indispensable.set(0, target);
         anyIndispensable = true;
       }
     }
@@ -72,7 +73,7 @@ final class SumRange {
 
   private boolean removeSetsWithoutIndispensable(int camera) {
     for (int word = 0; word < problem.words(); word++) {
-      long needed = remaining.undecided(camera, word) & indispensable[word];
+      long needed = remaining.undecided(camera, word) & indispensable.word(0, word);
       for (int set = problem.firstSet(camera); needed != 0 && set < problem.endSet(camera); set++) {
         boolean lacks = (needed & ~problem.mask(set, word)) != 0;
         if (lacks && remaining.has(set) && !remaining.remove(set)) {

@@ -1,6 +1,7 @@
 package org.hificamsim.solver.configuration;
 
 import java.util.SplittableRandom;
+import org.hificamsim.solver.BitMatrix;
 
 /** Coverage problems for tests; {@code sets} say by camera, set and target what a set holds. */
 final class Problems {
@@ -48,7 +49,7 @@ final class Problems {
     for (boolean[][] camera : sets) {
       problem.addCamera();
       for (boolean[] set : camera) {
-        long[] mask = new long[CoverageProblem.wordsFor(targets)];
+        long[] mask = new long[BitMatrix.wordsFor(targets)];
         for (int target = 0; target < targets; target++) {
           mask[target / 64] |= set[target] ? 1L << (target % 64) : 0;
         }

@@ -1,0 +1,118 @@
+package org.hificamsim.solver;
+
+import java.util.Arrays;
+import java.util.BitSet;
+
+/**
+ * A matrix of bits. Each row is a set of columns, such as the targets that a camera detects: column
+ * c is bit {@code c % 64} of word {@code c / 64} of the row.
+ *
+ * <p>Fast loops combine rows word by word, and go over the columns of a word like this:
+ *
+ * <pre>{@code
+ * for (long bits = matrix.word(row, word); bits != 0; bits &= bits - 1) {
+ *   int column = BitMatrix.firstColumn(word, bits);
+ * }
+ * }</pre>
+ */
+public final class BitMatrix {
+  private static final int WORD_SHIFT = 6;
+
+  private final long[] bits;
+  private int words;
+
+  /** Creates a matrix without bits. */
+  public BitMatrix(int rows, int columns) {
+    words = wordsFor(columns);
+    bits = new long[Math.multiplyExact(rows, words)];
+  }
+
+  /** The number of words that a row of some columns takes. */
+  public static int wordsFor(int columns) {
+    return (columns + Long.SIZE - 1) / Long.SIZE;
+  }
+
+  /** The first column whose bit is set in one word of a row; the word is not 0. */
+  public static int firstColumn(int word, long bits) {
+    return (word << WORD_SHIFT) + Long.numberOfTrailingZeros(bits);
+  }
+
+  /** Adds {@code change} to the count of each column in one word of a row. */
+  public static void add(int[] counts, int word, long bits, int change) {
+    for (long rest = bits; rest != 0; rest &= rest - 1) {
+      counts[firstColumn(word, rest)] += change;
+    }
+  }
+
+  /** The sum of the values of the columns in one word of a row. */
+  public static long sum(long[] values, int word, long bits) {
+    long sum = 0;
+    for (long rest = bits; rest != 0; rest &= rest - 1) {
+      sum += values[firstColumn(word, rest)];
+    }
+    return sum;
+  }
+
+  /** The columns of a set of {@link #wordsFor} words, in ascending order. */
+  public static int[] columns(long[] set) {
+    return BitSet.valueOf(set).stream().toArray();
+  }
+
+  /**
+   * Changes the number of columns, for at most as many as at first; the rows have to be set again.
+   */
+  public void reshape(int columns) {
+    words = wordsFor(columns);
+  }
+
+  /** The number of words of a row. */
+  public int words() {
+    return words;
+  }
+
+  /** One word of a row. */
+  public long word(int row, int word) {
+    return bits[row * words + word];
+  }
+
+  /** Replaces one word of a row. */
+  public void setWord(int row, int word, long newBits) {
+    bits[row * words + word] = newBits;
+  }
+
+  /** Replaces a row by the words of {@code source} from {@code from} on. */
+  public void setRow(int row, long[] source, int from) {
+    for (int word = 0; word < words; word++) {
+      bits[row * words + word] = source[from + word];
+    }
+  }
+
+  /** Removes all columns of a row. */
+  public void clear(int row) {
+    Arrays.fill(bits, row * words, (row + 1) * words, 0);
+  }
+
+  /** Adds a column to a row. */
+  public void set(int row, int column) {
+    bits[row * words + (column >> WORD_SHIFT)] |= 1L << column;
+  }
+
+  /** Whether a row has a column. */
+  public boolean has(int row, int column) {
+    return (bits[row * words + (column >> WORD_SHIFT)] >>> column & 1) != 0;
+  }
+
+  /** Whether a row has all columns of another one. */
+  public boolean includes(int row, int other) {
+    return includes(row, bits, other * words);
+  }
+
+  /** Whether a row has all columns in the words of {@code source} from {@code from} on. */
+  public boolean includes(int row, long[] source, int from) {
+    long missing = 0;
+    for (int word = 0; word < words; word++) {
+      missing |= source[from + word] & ~bits[row * words + word];
+    }
+    return missing == 0;
+  }
+}

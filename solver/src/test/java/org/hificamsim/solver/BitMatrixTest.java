@@ -1,0 +1,80 @@
+package org.hificamsim.solver;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class BitMatrixTest {
+  private static final int ROWS = 5;
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 63, 64, 65, 200})
+  void rowsEqualSetsOfColumns(int columns) {
+    SplittableRandom random = new SplittableRandom(columns);
+    BitSet[] sets = new BitSet[ROWS];
+    BitMatrix matrix = new BitMatrix(ROWS, columns);
+    for (int row = 0; row < ROWS; row++) {
+      sets[row] = randomSet(random, columns);
+      matrix.setRow(row, Arrays.copyOf(sets[row].toLongArray(), matrix.words()), 0);
+    }
+    for (int row = 0; row < ROWS; row++) {
+      BitSet set = sets[row];
+      BitMatrix one = new BitMatrix(1, columns);
+      set.stream().forEach(column -> one.set(0, column));
+      for (int other = 0; other < ROWS; other++) {
+        BitSet missing = (BitSet) sets[other].clone();
+        missing.andNot(set);
+        assertEquals(missing.isEmpty(), matrix.includes(row, other));
+      }
+      for (int column = 0; column < columns; column++) {
+        assertEquals(set.get(column), matrix.has(row, column));
+        assertEquals(set.get(column), one.has(0, column));
+      }
+    }
+  }
+
+  @Test
+  void addsToCountsAndSumsValuesOfColumns() {
+    BitMatrix matrix = new BitMatrix(1, 130);
+    for (int column : new int[] {0, 63, 64, 129}) {
+      matrix.set(0, column);
+    }
+    int[] counts = new int[130];
+    long[] values = IntStream.range(0, 130).asLongStream().toArray();
+    long sum = 0;
+    for (int word = 0; word < matrix.words(); word++) {
+      BitMatrix.add(counts, word, matrix.word(0, word), 2);
+      sum += BitMatrix.sum(values, word, matrix.word(0, word));
+    }
+    assertEquals(63 + 64 + 129, sum);
+    assertEquals(8, Arrays.stream(counts).sum());
+    assertEquals(2, counts[129]);
+  }
+
+  @Test
+  void reshapedMatrixHoldsRowsOfItsNewLength() {
+    BitMatrix matrix = new BitMatrix(3, 200);
+    matrix.reshape(70);
+    assertEquals(2, matrix.words());
+    for (int row = 0; row < 3; row++) {
+      matrix.clear(row);
+    }
+    matrix.set(1, 69);
+    assertArrayEquals(
+        new boolean[] {false, true, false},
+        new boolean[] {matrix.has(0, 69), matrix.has(1, 69), matrix.has(2, 69)});
+  }
+
+  private static BitSet randomSet(SplittableRandom random, int columns) {
+    BitSet set = new BitSet();
+    IntStream.range(0, columns).filter(column -> random.nextInt(3) > 0).forEach(set::set);
+    return set;
+  }
+}
