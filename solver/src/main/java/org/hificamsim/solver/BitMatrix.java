@@ -18,11 +18,13 @@ import java.util.BitSet;
 public final class BitMatrix {
   private static final int WORD_SHIFT = 6;
 
+  private final int rows;
   private final long[] bits;
   private int words;
 
   /** Creates a matrix without bits. */
   public BitMatrix(int rows, int columns) {
+    this.rows = rows;
     words = wordsFor(columns);
     bits = new long[Math.multiplyExact(rows, words)];
   }
@@ -53,16 +55,32 @@ public final class BitMatrix {
     return sum;
   }
 
-  /** The columns of a set of {@link #wordsFor} words, in ascending order. */
-  public static int[] columns(long[] set) {
-    return BitSet.valueOf(set).stream().toArray();
-  }
-
   /**
    * Changes the number of columns, for at most as many as at first; the rows have to be set again.
    */
   public void reshape(int columns) {
     words = wordsFor(columns);
+  }
+
+  /** Returns the same rows with space for more columns. */
+  public BitMatrix widened(int columns) {
+    BitMatrix wider = new BitMatrix(rows, columns);
+    for (int row = 0; row < rows; row++) {
+      System.arraycopy(bits, row * words, wider.bits, row * wider.words, words);
+    }
+    return wider;
+  }
+
+  /** Returns a matrix of one row, with the first columns of a row. */
+  public BitMatrix row(int row, int columns) {
+    BitMatrix single = new BitMatrix(1, columns);
+    single.setRow(0, bits, row * words);
+    return single;
+  }
+
+  /** The number of rows. */
+  public int rows() {
+    return rows;
   }
 
   /** The number of words of a row. */
@@ -92,6 +110,11 @@ public final class BitMatrix {
     Arrays.fill(bits, row * words, (row + 1) * words, 0);
   }
 
+  /** Replaces a row by one of another matrix. */
+  public void setRow(int row, BitMatrix other, int otherRow) {
+    setRow(row, other.bits, otherRow * other.words);
+  }
+
   /** Adds a column to a row. */
   public void set(int row, int column) {
     bits[row * words + (column >> WORD_SHIFT)] |= 1L << column;
@@ -100,6 +123,55 @@ public final class BitMatrix {
   /** Whether a row has a column. */
   public boolean has(int row, int column) {
     return (bits[row * words + (column >> WORD_SHIFT)] >>> column & 1) != 0;
+  }
+
+  /** The number of columns of a row. */
+  public int count(int row) {
+    return countCommon(row, this, row);
+  }
+
+  /** The number of columns that a row and one of another matrix have in common. */
+  public int countCommon(int row, BitMatrix other, int otherRow) {
+    int count = 0;
+    for (int word = 0; word < words; word++) {
+      count += Long.bitCount(word(row, word) & other.word(otherRow, word));
+    }
+    return count;
+  }
+
+  /** Adds the columns of a row of another matrix to a row. */
+  public void unite(int row, BitMatrix other, int otherRow) {
+    for (int word = 0; word < words; word++) {
+      bits[row * words + word] |= other.word(otherRow, word);
+    }
+  }
+
+  /**
+   * Leaves a row the columns that it has in common with a row of another matrix, which has at least
+   * as many columns.
+   *
+   * @return whether any are left
+   */
+  public boolean intersect(int row, BitMatrix other, int otherRow) {
+    long left = 0;
+    for (int word = 0; word < words; word++) {
+      bits[row * words + word] &= other.word(otherRow, word);
+      left |= bits[row * words + word];
+    }
+    return left != 0;
+  }
+
+  /** Removes the columns of a row of another matrix from a row. */
+  public void subtract(int row, BitMatrix other, int otherRow) {
+    for (int word = 0; word < words; word++) {
+      bits[row * words + word] &= ~other.word(otherRow, word);
+    }
+  }
+
+  /** The columns of a row, in ascending order. */
+  public int[] columns(int row) {
+    return BitSet.valueOf(Arrays.copyOfRange(bits, row * words, (row + 1) * words)).stream()
+        .toArray();
   }
 
   /** Whether a row has all columns of another one. */

@@ -28,7 +28,10 @@ class BitMatrixTest {
       BitSet set = sets[row];
       BitMatrix one = new BitMatrix(1, columns);
       set.stream().forEach(column -> one.set(0, column));
+      assertEquals(set.cardinality(), matrix.count(row));
+      assertArrayEquals(set.stream().toArray(), matrix.columns(row));
       for (int other = 0; other < ROWS; other++) {
+        checkPair(matrix, row, other, set, sets[other]);
         BitSet missing = (BitSet) sets[other].clone();
         missing.andNot(set);
         assertEquals(missing.isEmpty(), matrix.includes(row, other));
@@ -38,6 +41,39 @@ class BitMatrixTest {
         assertEquals(set.get(column), one.has(0, column));
       }
     }
+  }
+
+  /** Compares what two rows make with what their sets make. */
+  private static void checkPair(BitMatrix matrix, int row, int other, BitSet set, BitSet otherSet) {
+    BitSet common = (BitSet) set.clone();
+    common.and(otherSet);
+    BitSet union = (BitSet) set.clone();
+    union.or(otherSet);
+    BitSet rest = (BitSet) set.clone();
+    rest.andNot(otherSet);
+    BitMatrix result = new BitMatrix(3, Long.SIZE * matrix.words());
+    for (int copy = 0; copy < 3; copy++) {
+      result.setRow(copy, matrix, row);
+    }
+    assertEquals(!common.isEmpty(), result.intersect(0, matrix, other));
+    result.unite(1, matrix, other);
+    result.subtract(2, matrix, other);
+    assertArrayEquals(common.stream().toArray(), result.columns(0));
+    assertArrayEquals(union.stream().toArray(), result.columns(1));
+    assertArrayEquals(rest.stream().toArray(), result.columns(2));
+    assertEquals(common.cardinality(), matrix.countCommon(row, matrix, other));
+  }
+
+  @Test
+  void widenedMatrixAndItsRowsKeepColumns() {
+    BitMatrix matrix = new BitMatrix(2, 64);
+    matrix.set(0, 63);
+    matrix.set(1, 5);
+    BitMatrix wider = matrix.widened(200);
+    wider.set(0, 199);
+    assertArrayEquals(new int[] {63, 199}, wider.columns(0));
+    assertArrayEquals(new int[] {5}, wider.columns(1));
+    assertArrayEquals(new int[] {63}, wider.row(0, 64).columns(0));
   }
 
   @Test

@@ -1,7 +1,8 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.Arrays;
-import org.hificamsim.solver.configuration.BranchAndBound;
+import org.hificamsim.solver.BranchAndBound;
+import org.hificamsim.solver.BranchList;
 import org.hificamsim.solver.configuration.Solver;
 
 /**
@@ -14,7 +15,7 @@ import org.hificamsim.solver.configuration.Solver;
  * good configuration. {@link BranchAndBound} over the cameras, with this bound, then proves the
  * best one to within {@value #TOLERANCE}.
  */
-final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
+final class ExpectedSolver extends Solver implements BranchList.Problem {
   static final double TOLERANCE = 1e-9;
 
   private static final int ROUNDS = 60;
@@ -34,16 +35,15 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
   private final int[] chosen;
   private final int[] best;
 
-  /** The row of each camera that is tried next. */
-  private final int[] nextRows;
-
   /** The sum of the greatest weighted row sums of the camera and all later ones, by camera. */
   private final double[] restBounds;
 
-  private final BranchAndBound search = new BranchAndBound();
-  private int depth;
+  /** The rows of the camera whose number is the depth. */
+  private final BranchList branches;
 
-  /** The weighted sums of the rows of the cameras before {@link #depth}. */
+  private final BranchAndBound search = new BranchAndBound();
+
+  /** The weighted sums of the rows of the cameras that have decided. */
   private double chosenWeight;
 
   private double value;
@@ -61,7 +61,7 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
     bestWeights = new double[rows.maxTargets()];
     chosen = new int[rows.maxCameras()];
     best = new int[rows.maxCameras()];
-    nextRows = new int[rows.maxCameras()];
+    branches = new BranchList(this, rows.maxCameras(), rows.maxRows());
     restBounds = new double[rows.maxCameras() + 1];
   }
 
@@ -196,42 +196,32 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
     }
     Arrays.fill(coverage, 0);
     chosenWeight = 0;
-    begin(0);
+    branches.begin();
     search.reset();
-    return search.search(this, maxNodes);
-  }
-
-  private void begin(int camera) {
-    depth = camera;
-    if (depth < rows.cameras()) {
-      nextRows[depth] = rows.first(depth);
-    }
+    return search.search(branches, maxNodes);
   }
 
   @Override
-  public int branch() {
-    if (depth == rows.cameras()) {
+  public void list(int camera) {
+    if (camera == rows.cameras()) {
       keep(least());
-      return NONE;
+    } else if (camera == 0 || chosenWeight + restBounds[camera] > value + TOLERANCE) {
+      for (int row = rows.first(camera); row < rows.first(camera + 1); row++) {
+        branches.add(row);
+      }
     }
-    boolean firstVisit = depth > 0 && nextRows[depth] == rows.first(depth);
-    boolean cut = firstVisit && chosenWeight + restBounds[depth] <= value + TOLERANCE;
-    return cut || nextRows[depth] == rows.first(depth + 1) ? NONE : nextRows[depth];
   }
 
   @Override
-  public void take(int row) {
-    chosen[depth] = row;
+  public void take(int camera, int row) {
+    chosen[camera] = row;
     rows.add(row, 1, coverage);
     chosenWeight += rows.weightedSum(row, bestWeights);
-    begin(depth + 1);
   }
 
   @Override
-  public void refuse(int row) {
-    depth--;
+  public void undo(int camera, int row) {
     rows.add(row, -1, coverage);
     chosenWeight -= rows.weightedSum(row, bestWeights);
-    nextRows[depth]++;
   }
 }

@@ -4,6 +4,8 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.solver.BitMatrix;
+import org.hificamsim.solver.BranchAndBound;
+import org.hificamsim.solver.BranchList;
 
 /**
  * Finds the constant configuration with the best score over a finished run. Coordinate ascent, from
@@ -13,9 +15,8 @@ import org.hificamsim.solver.BitMatrix;
  * <p>The bound of a partial configuration lets every undecided camera use all its sets at once.
  * Sets that another set of the camera includes are left out.
  */
-public final class RunSolver extends Solver implements BranchAndBound.Tree {
+public final class RunSolver extends Solver implements BranchList.Problem {
   private static final int STARTS = 16;
-  private static final int UNSORTED = -1;
 
   private final Objective objective;
   private final CoverageProblem problem;
@@ -25,19 +26,15 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
   private final Configuration trial;
   private final Configuration best;
 
-  /** The sets to try, by camera; those of decided cameras with the greatest bound first. */
+  /** By camera, the sets to try. */
   private final int[][] setsToTry;
 
-  /** The bound of the score with a set and the decisions before it, by set. */
-  private final double[] bounds;
-
-  /** The index of each camera in {@link #setsToTry}; {@link #UNSORTED} before these are sorted. */
-  private final int[] triedIndex;
+  /** The sets of the camera whose number is the depth, those with the greatest bound first. */
+  private final BranchList branches;
 
   /** The number of cameras that cover each target if undecided cameras use all their sets. */
   private final int[] optimisticCoverage;
 
-  private int depth;
   private double bestScore = -1;
 
   /**
@@ -54,8 +51,7 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
     trial = new Configuration(problem);
     best = new Configuration(problem);
     setsToTry = new int[problem.cameras()][];
-    bounds = new double[problem.sets()];
-    triedIndex = new int[problem.cameras() + 1];
+    branches = new BranchList(this, problem.cameras(), problem.sets());
     optimisticCoverage = new int[problem.targets()];
   }
 
@@ -67,10 +63,10 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
       setsToTry[camera] = remaining.sets(camera);
     }
     climb();
-    triedIndex[0] = UNSORTED;
     System.arraycopy(remaining.maxCoverage(), 0, optimisticCoverage, 0, optimisticCoverage.length);
     double bound = score(optimisticCoverage);
-    proven = new BranchAndBound().search(this, maxNodes);
+    branches.begin();
+    proven = new BranchAndBound().search(branches, maxNodes);
     gap = proven ? 0 : bound - bestScore;
   }
 
@@ -141,43 +137,28 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
   }
 
   @Override
-  public int branch() {
-    if (depth == problem.cameras()) {
-      for (int camera = 0; camera < depth; camera++) {
-        trial.exchange(camera, setsToTry[camera][triedIndex[camera]]);
+  public void list(int camera) {
+    if (camera == problem.cameras()) {
+      for (int decided = 0; decided < camera; decided++) {
+        trial.exchange(decided, branches.taken(decided));
       }
       keep(score(optimisticCoverage));
-      return NONE;
+      return;
     }
-    if (triedIndex[depth] == UNSORTED) {
-      sort();
+    for (int set : setsToTry[camera]) {
+      branches.add(set, boundWith(camera, set));
     }
-    int next = triedIndex[depth];
-    boolean promising =
-        next < setsToTry[depth].length && bounds[setsToTry[depth][next]] > bestScore;
-    return promising ? setsToTry[depth][next] : NONE;
   }
 
-  /** Sorts the sets of the next camera by their bounds, the greatest first. */
-  private void sort() {
-    int[] sets = setsToTry[depth];
-    Arrays.sort(sets);
-    for (int i = 0; i < sets.length; i++) {
-      int set = sets[i];
-      bounds[set] = boundWith(set);
-      int at = i;
-      for (; at > 0 && bounds[sets[at - 1]] < bounds[set]; at--) {
-        sets[at] = sets[at - 1];
-      }
-      sets[at] = set;
-    }
-    triedIndex[depth] = 0;
+  @Override
+  public boolean isPromising(int camera, int set) {
+    return branches.value(camera) > bestScore;
   }
 
-  private double boundWith(int set) {
-    countLost(depth, set, -1);
+  private double boundWith(int camera, int set) {
+    countLost(camera, set, -1);
     double bound = score(optimisticCoverage);
-    countLost(depth, set, 1);
+    countLost(camera, set, 1);
     return bound;
   }
 
@@ -193,17 +174,13 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
   }
 
   @Override
-  public void take(int set) {
-    countLost(depth, set, -1);
-    depth++;
-    triedIndex[depth] = UNSORTED;
+  public void take(int camera, int set) {
+    countLost(camera, set, -1);
   }
 
   @Override
-  public void refuse(int set) {
-    depth--;
-    countLost(depth, set, 1);
-    triedIndex[depth]++;
+  public void undo(int camera, int set) {
+    countLost(camera, set, 1);
   }
 
   @Override

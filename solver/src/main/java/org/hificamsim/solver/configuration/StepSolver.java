@@ -1,6 +1,7 @@
 package org.hificamsim.solver.configuration;
 
 import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.solver.BranchAndBound;
 
 /**
  * Solves {@link CoverageProblem}s exactly, for any objective. One {@link Stage} of the objective

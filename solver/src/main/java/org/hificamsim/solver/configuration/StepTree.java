@@ -1,6 +1,7 @@
 package org.hificamsim.solver.configuration;
 
 import org.hificamsim.solver.BitMatrix;
+import org.hificamsim.solver.BranchAndBound;
 
 /**
  * The tree of configurations that meet the requirements of some {@link Stage}s. A decision gives a

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.hificamsim.solver.BitMatrix;
 
 /**
  * Finds the candidates that a plan may need. A candidate is dominated, and omitted, if it covers
@@ -23,14 +24,14 @@ final class Dominance {
   private final int dominatorsNeeded;
 
   /** The kept candidates that cover a point, in the order in which they were kept, by point. */
-  private final long[][] keptByPoint;
+  private BitMatrix keptByPoint;
 
   private int kept;
 
   private Dominance(CoverInstance instance) {
     this.instance = instance;
     this.dominatorsNeeded = Math.max(1, Arrays.stream(instance.needs()).max().orElse(1));
-    this.keptByPoint = new long[instance.points()][1];
+    this.keptByPoint = new BitMatrix(instance.points(), Long.SIZE);
   }
 
   /** Returns the candidates that are not dominated, in ascending order. */
@@ -58,41 +59,29 @@ final class Dominance {
   }
 
   private void keep(int[] points) {
-    if (kept == Long.SIZE * keptByPoint[0].length) {
-      Arrays.setAll(
-          keptByPoint, point -> Arrays.copyOf(keptByPoint[point], 2 * keptByPoint[point].length));
+    if (kept == Long.SIZE * keptByPoint.words()) {
+      keptByPoint = keptByPoint.widened(2 * kept);
     }
     for (int point : points) {
-      Bits.set(keptByPoint[point], kept);
+      keptByPoint.set(point, kept);
     }
     kept++;
   }
 
   /** Whether enough of the candidates kept so far, which cost no more, cover all points. */
   private boolean isDominated(int[] points) {
-    long[] dominators = Arrays.copyOf(keptByPoint[points[0]], kept / Long.SIZE + 1);
+    BitMatrix dominators = keptByPoint.row(points[0], Math.max(1, kept));
     int stride = Math.max(1, points.length / FIRST_POINTS);
     for (int i = 0; i < points.length; i += stride) {
-      if (!intersect(dominators, keptByPoint[points[i]])) {
+      if (!dominators.intersect(0, keptByPoint, points[i])) {
         return false;
       }
     }
     for (int i = 1; i < points.length && stride > 1; i++) {
-      if (!intersect(dominators, keptByPoint[points[i]])) {
+      if (!dominators.intersect(0, keptByPoint, points[i])) {
         return false;
       }
     }
-    return Bits.count(dominators) >= dominatorsNeeded;
-  }
-
-  /** Removes the members that are not in another set, and returns whether any are left. */
-  private static boolean intersect(long[] bits, long[] others) {
-    long left = 0;
-    int words = Math.min(bits.length, others.length);
-    for (int word = 0; word < words; word++) {
-      bits[word] &= others[word];
-      left |= bits[word];
-    }
-    return left != 0;
+    return dominators.count(0) >= dominatorsNeeded;
   }
 }

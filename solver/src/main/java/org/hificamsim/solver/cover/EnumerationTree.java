@@ -3,6 +3,9 @@ package org.hificamsim.solver.cover;
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
+import org.hificamsim.solver.BitMatrix;
+import org.hificamsim.solver.BranchAndBound;
+import org.hificamsim.solver.BranchList;
 
 /**
  * The search tree of {@link Enumeration}. A node is a plan of some cameras; its children add one
@@ -17,7 +20,7 @@ import java.util.stream.IntStream;
  *       all of it (set covers are branched on a single point in the same way: Etcheberry 1977).
  * </ul>
  */
-final class EnumerationTree {
+final class EnumerationTree implements BranchList.Problem {
   /** The number of parts in which a group of points is chosen if more than three cameras remain. */
   private static final int GROUP_PARTS = 20;
 
@@ -25,9 +28,32 @@ final class EnumerationTree {
   private static final int LAST_GROUP_PARTS = 4;
 
   private final BooleanSupplier stop;
-  private final BitRows covered;
-  private final BitRows coveringCandidates;
+  private final BitMatrix covered;
+  private final BitMatrix coveringCandidates;
   private final int coverablePoints;
+  private final BranchList branches;
+
+  /** By depth, the points that can be covered and that the path does not cover. */
+  private final BitMatrix uncovered;
+
+  /** By depth, the number of points that the path covers. */
+  private final int[] coveredPoints;
+
+  /** By depth, the gains of the candidates that the nodes above allow, the greatest first. */
+  private final long[][] allowedGains;
+
+  /**
+   * By depth, the gains of the candidates that a better plan may add, the greatest first. A branch
+   * is an index into them.
+   */
+  private final long[][] gains;
+
+  /** By depth and index into the gains: whether the branch was tried, which excludes it. */
+  private final boolean[][] tried;
+
+  private final BitMatrix allowed;
+  private final BitMatrix group;
+  private final BitMatrix outside;
   private final int[] path;
   private int[] best;
   private int bestCovered;
@@ -43,18 +69,28 @@ final class EnumerationTree {
     this.stop = stop;
     best = start;
     path = new int[cameras];
-    covered = new BitRows(instance.candidates(), instance.points());
-    coveringCandidates = new BitRows(instance.points(), instance.candidates());
+    branches = new BranchList(this, cameras, instance.candidates());
+    covered = new BitMatrix(instance.candidates(), instance.points());
+    coveringCandidates = new BitMatrix(instance.points(), instance.candidates());
+    uncovered = new BitMatrix(cameras + 1, instance.points());
     for (int candidate = 0; candidate < instance.candidates(); candidate++) {
       for (int point : instance.covered()[candidate]) {
         if (instance.needs()[point] > 0) {
           covered.set(candidate, point);
           coveringCandidates.set(point, candidate);
+          uncovered.set(0, point);
         }
       }
     }
-    coverablePoints = Bits.count(uncovered(new int[0]));
-    bestCovered = coverablePoints - Bits.count(uncovered(start));
+    coveredPoints = new int[cameras + 1];
+    allowedGains = new long[cameras + 1][];
+    gains = new long[cameras + 1][];
+    tried = new boolean[cameras + 1][];
+    allowed = new BitMatrix(1, instance.candidates());
+    group = new BitMatrix(1, instance.candidates());
+    outside = new BitMatrix(1, instance.candidates());
+    coverablePoints = uncovered.count(0);
+    bestCovered = countCovered(start);
   }
 
   /** The candidates of the best plan that was found, in ascending order. */
@@ -62,18 +98,12 @@ final class EnumerationTree {
     return best;
   }
 
-  /** The points that can be covered, and are not covered by a plan. */
-  private long[] uncovered(int[] plan) {
-    long[] uncovered = Bits.none(coveringCandidates.rows());
-    for (int point = 0; point < coveringCandidates.rows(); point++) {
-      if (Bits.count(coveringCandidates.row(point)) > 0) {
-        Bits.set(uncovered, point);
-      }
-    }
+  private int countCovered(int[] plan) {
+    BitMatrix union = new BitMatrix(1, coveringCandidates.rows());
     for (int candidate : plan) {
-      uncovered = Bits.without(uncovered, covered.row(candidate));
+      union.unite(0, covered, candidate);
     }
-    return uncovered;
+    return union.count(0);
   }
 
   /**
@@ -85,11 +115,12 @@ final class EnumerationTree {
   double search(double newMargin) {
     margin = newMargin;
     updateRequired();
-    long[] gains =
+    allowedGains[0] =
         IntStream.range(0, covered.rows())
             .mapToLong(candidate -> Gain.of(coverablePoints, candidate))
             .toArray();
-    extend(uncovered(new int[0]), gains, 0);
+    branches.begin();
+    new BranchAndBound().search(branches, Long.MAX_VALUE);
     return stopped ? Double.POSITIVE_INFINITY : requiredCovered - 1;
   }
 
@@ -97,88 +128,79 @@ final class EnumerationTree {
     requiredCovered = (int) Math.floor(bestCovered * (1 + margin)) + 1;
   }
 
-  /**
-   * Searches all plans that extend the path.
-   *
-   * @param uncovered the points that the path does not cover
-   * @param parentGains the gains of the allowed candidates at the parent node, the greatest first
-   * @param depth the number of candidates on the path
-   */
-  private void extend(long[] uncovered, long[] parentGains, int depth) {
+  @Override
+  public void list(int depth) {
     int remaining = path.length - depth;
-    int coveredPoints = coverablePoints - Bits.count(uncovered);
-    if (coveredPoints >= requiredCovered) {
-      bestCovered = coveredPoints;
+    coveredPoints[depth] = coverablePoints - uncovered.count(depth);
+    if (coveredPoints[depth] >= requiredCovered) {
+      bestCovered = coveredPoints[depth];
       best = Arrays.stream(path, 0, depth).sorted().toArray();
       updateRequired();
     }
     stopped = stopped || stop.getAsBoolean();
-    if (stopped || remaining == 0) {
-      return;
+    if (!stopped && remaining > 0) {
+      int missing = requiredCovered - coveredPoints[depth];
+      gains[depth] = gains(depth, remaining, missing);
+      tried[depth] = new boolean[gains[depth].length];
+      listSmallerSet(depth, remaining, (missing + remaining - 1) / remaining);
     }
-    int missing = requiredCovered - coveredPoints;
-    long[] gains = gains(uncovered, parentGains, remaining, missing);
-    int averageMissing = (missing + remaining - 1) / remaining;
+  }
+
+  private void listSmallerSet(int depth, int remaining, int averageMissing) {
     int aboveAverage = 0;
-    while (aboveAverage < gains.length && Gain.gain(gains[aboveAverage]) >= averageMissing) {
+    while (aboveAverage < gains[depth].length
+        && Gain.gain(gains[depth][aboveAverage]) >= averageMissing) {
       aboveAverage++;
     }
-    long[] group = remaining > 2 ? groupCandidates(uncovered, gains, remaining) : new long[0];
-    if (remaining > 2 && Bits.count(group) < aboveAverage) {
-      branchOnGroup(uncovered, gains, group, depth);
-    } else {
-      branchOnFirst(uncovered, gains, aboveAverage, depth);
-    }
-  }
-
-  /** Branches on the first candidates; each excludes those before it from its subtree. */
-  private void branchOnFirst(long[] uncovered, long[] gains, int count, int depth) {
-    int coveredPoints = coverablePoints - Bits.count(uncovered);
-    for (int i = 0; i < count; i++) {
-      long[] rest = Arrays.copyOfRange(gains, i + 1, gains.length);
-      if (!canReach(coveredPoints, gains[i], rest, depth)) {
-        return;
-      }
-      branch(uncovered, gains[i], rest, depth);
-    }
-  }
-
-  /** Branches on the candidates of a group; each excludes those tried before from its subtree. */
-  private void branchOnGroup(long[] uncovered, long[] gains, long[] group, int depth) {
-    int coveredPoints = coverablePoints - Bits.count(uncovered);
-    boolean[] tried = new boolean[gains.length];
-    for (int i = 0; i < gains.length; i++) {
-      if (Bits.has(group, Gain.candidate(gains[i]))) {
-        tried[i] = true;
-        long[] rest = untried(gains, tried);
-        if (!canReach(coveredPoints, gains[i], rest, depth)) {
-          return;
-        }
-        branch(uncovered, gains[i], rest, depth);
+    boolean byGroup = remaining > 2 && countGroup(depth, remaining) < aboveAverage;
+    for (int i = 0; i < (byGroup ? gains[depth].length : aboveAverage); i++) {
+      if (!byGroup || group.has(0, Gain.candidate(gains[depth][i]))) {
+        branches.add(i);
       }
     }
   }
 
-  /**
-   * Whether plans with a candidate can be better. If not, this is also false for all candidates
-   * that follow it, which gain less.
-   */
-  private boolean canReach(int coveredPoints, long gain, long[] rest, int depth) {
-    int others = Gain.sumOfFirst(rest, path.length - depth - 1);
-    return coveredPoints + Gain.gain(gain) + others >= requiredCovered;
+  /** Gains fall from branch to branch: if one cannot lead to a better plan, none behind it can. */
+  @Override
+  public boolean isPromising(int depth, int branch) {
+    int sum = coveredPoints[depth] + Gain.gain(gains[depth][branch]);
+    int others = path.length - depth - 1;
+    for (int i = 0; i < gains[depth].length && others > 0; i++) {
+      if (i != branch && !tried[depth][i]) {
+        sum += Gain.gain(gains[depth][i]);
+        others--;
+      }
+    }
+    return sum >= requiredCovered;
   }
 
-  private void branch(long[] uncovered, long gain, long[] rest, int depth) {
-    int candidate = Gain.candidate(gain);
-    path[depth] = candidate;
-    extend(Bits.without(uncovered, covered.row(candidate)), rest, depth + 1);
+  @Override
+  public void take(int depth, int branch) {
+    path[depth] = Gain.candidate(gains[depth][branch]);
+    uncovered.setRow(depth + 1, uncovered, depth);
+    uncovered.subtract(depth + 1, covered, path[depth]);
+    allowedGains[depth + 1] = untried(depth, branch);
   }
 
-  private static long[] untried(long[] gains, boolean[] tried) {
-    return IntStream.range(0, gains.length)
-        .filter(i -> !tried[i])
-        .mapToLong(i -> gains[i])
-        .toArray();
+  private long[] untried(int depth, int taken) {
+    long[] untried = new long[gains[depth].length];
+    int count = 0;
+    for (int i = 0; i < untried.length; i++) {
+      if (i != taken && !tried[depth][i]) {
+        untried[count++] = gains[depth][i];
+      }
+    }
+    return Arrays.copyOf(untried, count);
+  }
+
+  @Override
+  public void undo(int depth, int branch) {
+    tried[depth][branch] = true;
+  }
+
+  @Override
+  public boolean isDone() {
+    return stopped;
   }
 
   /**
@@ -186,58 +208,58 @@ final class EnumerationTree {
    *
    * @return the gains, the greatest first
    */
-  private long[] gains(long[] uncovered, long[] parentGains, int remaining, int missing) {
-    long[] gains = new long[parentGains.length];
+  private long[] gains(int depth, int remaining, int missing) {
+    long[] newGains = new long[allowedGains[depth].length];
     int count = 0;
     int greatest = 0;
-    for (long parentGain : parentGains) {
-      int limit = Gain.gain(parentGain); // gains only shrink from parent to child
+    for (long allowedGain : allowedGains[depth]) {
+      int limit = Gain.gain(allowedGain); // gains only shrink from parent to child
       if (limit + (remaining - 1) * Math.max(greatest, limit) < missing) {
         break;
       }
-      int candidate = Gain.candidate(parentGain);
-      int gain = Bits.countCommon(covered.row(candidate), uncovered);
+      int candidate = Gain.candidate(allowedGain);
+      int gain = covered.countCommon(candidate, uncovered, depth);
       greatest = Math.max(greatest, gain);
-      gains[count++] = Gain.of(gain, candidate);
+      newGains[count++] = Gain.of(gain, candidate);
     }
-    Arrays.sort(gains, 0, count);
-    long[] greatestGains = Arrays.copyOf(gains, Math.min(count, remaining - 1));
-    int others = Gain.sumOfFirst(greatestGains, remaining - 1);
-    while (count > 0 && Gain.gain(gains[count - 1]) < Math.max(1, missing - others)) {
+    Arrays.sort(newGains, 0, count);
+    int others = Gain.sumOfFirst(newGains, Math.min(count, remaining - 1));
+    while (count > 0 && Gain.gain(newGains[count - 1]) < Math.max(1, missing - others)) {
       count--;
     }
-    return Arrays.copyOf(gains, count);
+    return Arrays.copyOf(newGains, count);
   }
 
   /**
    * Chooses a group of points that a better plan cannot all miss, and for which few candidates
-   * cover any of them, and returns these candidates.
+   * cover any of them, and makes these candidates the {@link #group}.
+   *
+   * @return the number of candidates
    */
-  private long[] groupCandidates(long[] uncovered, long[] gains, int remaining) {
-    long[] allowed = Bits.none(covered.rows());
-    for (long gain : gains) {
-      Bits.set(allowed, Gain.candidate(gain));
+  private int countGroup(int depth, int remaining) {
+    allowed.clear(0);
+    group.clear(0);
+    for (long gain : gains[depth]) {
+      allowed.set(0, Gain.candidate(gain));
     }
     int groupSize = coverablePoints - requiredCovered + 1;
-    int[] points = Bits.members(uncovered);
-    long[] group = Bits.none(covered.rows());
+    int[] points = uncovered.columns(depth);
     int parts = remaining > 3 ? GROUP_PARTS : LAST_GROUP_PARTS;
     for (int chosen = 0; chosen < groupSize; ) {
-      long[] outside = Bits.without(allowed, group);
+      outside.setRow(0, allowed, 0);
+      outside.subtract(0, group, 0);
       long[] pointsByNewCandidates = new long[points.length];
       Arrays.setAll(
           pointsByNewCandidates,
-          i ->
-              ((long) Bits.countCommon(coveringCandidates.row(points[i]), outside) << 32)
-                  + points[i]);
+          i -> ((long) coveringCandidates.countCommon(points[i], outside, 0) << 32) + points[i]);
       Arrays.sort(pointsByNewCandidates);
       chosen = chosen == 0 ? 1 : Math.min(groupSize, chosen + Math.max(1, groupSize / parts));
       for (int i = 0; i < Math.min(chosen, points.length); i++) {
-        long[] covering = coveringCandidates.row((int) pointsByNewCandidates[i]);
-        Arrays.setAll(group, word -> group[word] | (covering[word] & allowed[word]));
+        group.unite(0, coveringCandidates, (int) pointsByNewCandidates[i]);
       }
     }
-    return group;
+    group.intersect(0, allowed, 0);
+    return group.count(0);
   }
 
   /** Packs a gain and its candidate into a number that sorts the greatest gain first. */
@@ -258,7 +280,7 @@ final class EnumerationTree {
 
     static int sumOfFirst(long[] gains, int count) {
       int sum = 0;
-      for (int i = 0; i < Math.min(count, gains.length); i++) {
+      for (int i = 0; i < count; i++) {
         sum += gain(gains[i]);
       }
       return sum;

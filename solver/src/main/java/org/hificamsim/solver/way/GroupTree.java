@@ -1,36 +1,36 @@
 package org.hificamsim.solver.way;
 
 import java.util.Arrays;
-import org.hificamsim.solver.configuration.BranchAndBound;
+import org.hificamsim.solver.BranchAndBound;
+import org.hificamsim.solver.BranchList;
 
 /**
  * Finds the best sets of a group of cameras in a step: the greatest worth of its targets less the
  * prices of the sets. At each node the prices of targets are tuned until they show that nothing
  * better follows; the sum of the cameras' greatest gains is a second bound, and orders the search.
  */
-final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
+final class GroupTree extends GroupPrices implements BranchList.Problem {
   private static final int NODE_ROUNDS = 4;
   private static final int MAX_K = 3;
-  private static final int UNKNOWN = -1;
+  private static final int NONE = -1;
 
   /** The number of cameras that are still to decide and may detect the target, by moment. */
   private final int[] undecidedCameras;
 
   private final boolean[] decided;
+
+  /** By depth, the camera that decides. */
   private final int[] deciding;
 
-  /** The sets to try, by depth. */
-  private final int[][] children;
-
-  private final int[] childCounts;
-  private final int[] nextChild;
   private final double[] gain;
 
   /** The price by the number of cameras that already detect a target, and by moment. */
   private final double[][] nodePrices;
 
+  /** By depth, the sets of the deciding camera, the greatest gain first. */
+  private final BranchList branches;
+
   private final BranchAndBound search = new BranchAndBound();
-  private int depth;
   private double paid;
 
   GroupTree(WayProblem problem, PricedCameras priced) {
@@ -38,9 +38,7 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
     undecidedCameras = new int[problem.momentCount()];
     decided = new boolean[problem.cameras()];
     deciding = new int[problem.cameras() + 1];
-    children = new int[problem.cameras() + 1][priced.maxSets() + 1];
-    childCounts = new int[problem.cameras() + 1];
-    nextChild = new int[problem.cameras() + 1];
+    branches = new BranchList(this, problem.cameras(), priced.maxSets() + 1);
     gain = new double[problem.momentCount()];
     nodePrices = new double[MAX_K][problem.momentCount()];
     for (double[] byMoment : nodePrices) {
@@ -60,11 +58,10 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
       chosen[i] = WayProblem.NOTHING;
       countRest(cameras[i], 1);
     }
-    depth = 0;
     paid = 0;
-    childCounts[0] = UNKNOWN;
+    branches.begin();
     search.reset();
-    return search.search(this, nodes) ? bestValue : bound;
+    return search.search(branches, nodes) ? bestValue : bound;
   }
 
   private void removeCheapSets(double bound) {
@@ -93,15 +90,10 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
   }
 
   @Override
-  public int branch() {
-    if (childCounts[depth] == UNKNOWN) {
-      childCounts[depth] = 0;
-      nextChild[depth] = 0;
-      if (boundByPrices() > bestValue + TOLERANCE) {
-        decide();
-      }
+  public void list(int depth) {
+    if (boundByPrices() > bestValue + TOLERANCE) {
+      decide(depth);
     }
-    return nextChild[depth] < childCounts[depth] ? children[depth][nextChild[depth]] : NONE;
   }
 
   /** Tunes the targets' prices until they show that nothing better follows, or for some rounds. */
@@ -157,7 +149,7 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
   }
 
   /** Decides about the camera that can gain most; keeps the choice if none can. */
-  private void decide() {
+  private void decide(int depth) {
     double bound = -paid;
     for (int i = 0; i < momentCount; i++) {
       int moment = moments[i];
@@ -165,7 +157,7 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
       gain[moment] = worth.slope(coverage[moment], undecidedCameras[moment]);
     }
     double greatest = 0;
-    int camera = UNKNOWN;
+    int camera = NONE;
     for (int i = 0; i < cameraCount; i++) {
       if (!decided[i]) {
         double value = offer(i);
@@ -174,56 +166,45 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
         greatest = Math.max(value, greatest);
       }
     }
-    if (camera == UNKNOWN) {
+    if (camera == NONE) {
       keep();
     } else if (bound > bestValue + TOLERANCE) {
       deciding[depth] = camera;
-      listChildren(camera, bestValue + TOLERANCE - bound + greatest);
+      listSets(camera, bestValue + TOLERANCE - bound + greatest);
     }
   }
 
   /** Lists the camera's sets that may gain enough, the greatest gain first, then nothing. */
-  private void listChildren(int camera, double enough) {
-    int[] list = children[depth];
-    int count = 0;
+  private void listSets(int camera, double enough) {
     for (int index = 0; index < priced.setCount(cameras[camera]); index++) {
       int set = priced.set(cameras[camera], index);
       double value = profit(set, gain);
       if (value > 0 && value > enough) {
-        int at = count++;
-        for (; at > 0 && profit(list[at - 1], gain) < value; at--) {
-          list[at] = list[at - 1];
-        }
-        list[at] = set;
+        branches.add(set, value);
       }
     }
     if (enough < 0) {
-      list[count++] = WayProblem.NOTHING;
+      branches.add(WayProblem.NOTHING);
     }
-    childCounts[depth] = count;
   }
 
   @Override
-  public void take(int set) {
+  public void take(int depth, int set) {
     int camera = deciding[depth];
     decided[camera] = true;
     chosen[camera] = set;
     count(set, 1);
     countRest(cameras[camera], -1);
     paid += prices[set];
-    depth++;
-    childCounts[depth] = UNKNOWN;
   }
 
   @Override
-  public void refuse(int set) {
-    depth--;
+  public void undo(int depth, int set) {
     int camera = deciding[depth];
     paid -= prices[set];
     countRest(cameras[camera], 1);
     count(set, -1);
     chosen[camera] = WayProblem.NOTHING;
     decided[camera] = false;
-    nextChild[depth]++;
   }
 }

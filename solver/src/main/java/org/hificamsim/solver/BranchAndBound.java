@@ -1,4 +1,4 @@
-package org.hificamsim.solver.configuration;
+package org.hificamsim.solver;
 
 /**
  * Depth-first branch and bound: at each node of a {@link Tree} a decision is taken, and refused
