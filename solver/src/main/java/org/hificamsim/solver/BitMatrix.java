@@ -46,15 +46,6 @@ public final class BitMatrix {
     }
   }
 
-  /** The sum of the values of the columns in one word of a row. */
-  public static long sum(long[] values, int word, long bits) {
-    long sum = 0;
-    for (long rest = bits; rest != 0; rest &= rest - 1) {
-      sum += values[firstColumn(word, rest)];
-    }
-    return sum;
-  }
-
   /**
    * Changes the number of columns, for at most as many as at first; the rows have to be set again.
    */
@@ -137,6 +128,30 @@ public final class BitMatrix {
       count += Long.bitCount(word(row, word) & other.word(otherRow, word));
     }
     return count;
+  }
+
+  /** Adds {@code change} to the count of each column of a row. */
+  public void add(int row, int[] counts, int change) {
+    for (int word = 0; word < words; word++) {
+      add(counts, word, word(row, word), change);
+    }
+  }
+
+  /** The sum of the values of a row's columns. */
+  public long sum(int row, long[] values) {
+    return sumCommon(row, this, row, values);
+  }
+
+  /** The sum of the values of the columns that a row and one of another matrix have in common. */
+  public long sumCommon(int row, BitMatrix other, int otherRow, long[] values) {
+    long sum = 0;
+    for (int word = 0; word < words; word++) {
+      long common = word(row, word) & other.word(otherRow, word);
+      for (; common != 0; common &= common - 1) {
+        sum += values[firstColumn(word, common)];
+      }
+    }
+    return sum;
   }
 
   /** Adds the columns of a row of another matrix to a row. */

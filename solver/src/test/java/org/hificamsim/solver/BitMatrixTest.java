@@ -84,12 +84,9 @@ class BitMatrixTest {
     }
     int[] counts = new int[130];
     long[] values = IntStream.range(0, 130).asLongStream().toArray();
-    long sum = 0;
-    for (int word = 0; word < matrix.words(); word++) {
-      BitMatrix.add(counts, word, matrix.word(0, word), 2);
-      sum += BitMatrix.sum(values, word, matrix.word(0, word));
-    }
-    assertEquals(63 + 64 + 129, sum);
+    matrix.add(0, counts, 2);
+    assertEquals(63 + 64 + 129, matrix.sum(0, values));
+    assertEquals(63, matrix.row(0, 64).sumCommon(0, matrix, 0, values));
     assertEquals(8, Arrays.stream(counts).sum());
     assertEquals(2, counts[129]);
   }

@@ -59,9 +59,7 @@ final class Configuration {
   }
 
   private void count(int set, int change) {
-    for (int word = 0; word < problem.words(); word++) {
-      BitMatrix.add(coverage, word, problem.mask(set, word), change);
-    }
+    problem.masks().add(set, coverage, change);
   }
 
   /** Replaces the camera's set. */

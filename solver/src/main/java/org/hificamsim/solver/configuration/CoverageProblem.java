@@ -96,6 +96,11 @@ public final class CoverageProblem {
     return masks.word(set, word);
   }
 
+  /** The sets of all cameras, a row for each; not to be changed. */
+  BitMatrix masks() {
+    return masks;
+  }
+
   /** Whether the target is in the set. */
   public boolean contains(int set, int target) {
     return masks.has(set, target);

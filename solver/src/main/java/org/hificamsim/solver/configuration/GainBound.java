@@ -12,16 +12,23 @@ import org.hificamsim.solver.BitMatrix;
  */
 final class GainBound {
   private final CoverageProblem problem;
+  private final BitMatrix masks;
   private final RemainingSets remaining;
   private final TargetWorth worth;
+
+  /** The undecided targets of the camera whose sets are updated. */
+  private final BitMatrix undecided;
+
   private final long[] targetGains;
   private final long[] setGains;
   private final long[] cameraGains;
 
   GainBound(CoverageProblem problem, RemainingSets remaining, TargetWorth worth) {
     this.problem = problem;
+    masks = problem.masks();
     this.remaining = remaining;
     this.worth = worth;
+    undecided = new BitMatrix(1, problem.maxTargets());
     targetGains = new long[problem.maxTargets()];
     setGains = new long[problem.maxSets()];
     cameraGains = new long[problem.maxCameras()];
@@ -47,23 +54,15 @@ final class GainBound {
   }
 
   private long updateSets(int camera) {
+    remaining.copyUndecided(camera, undecided);
     long greatest = 0;
     for (int set = problem.firstSet(camera); set < problem.endSet(camera); set++) {
       if (remaining.has(set)) {
-        setGains[set] = sumOfGains(camera, set);
+        setGains[set] = masks.sumCommon(set, undecided, 0, targetGains);
         greatest = Math.max(greatest, setGains[set]);
       }
     }
     return greatest;
-  }
-
-  private long sumOfGains(int camera, int set) {
-    long sum = 0;
-    for (int word = 0; word < problem.words(); word++) {
-      long undecided = problem.mask(set, word) & remaining.undecided(camera, word);
-      sum += BitMatrix.sum(targetGains, word, undecided);
-    }
-    return sum;
   }
 
   /**

@@ -2,6 +2,7 @@ package org.hificamsim.solver.configuration;
 
 import java.util.Arrays;
 import org.hificamsim.solver.BitMatrix;
+import org.hificamsim.solver.PriceSearch;
 
 /**
  * Bounds a sum of worths by prices for covering targets (Lagrangian relaxation): every camera
@@ -9,8 +10,9 @@ import org.hificamsim.solver.BitMatrix;
  * its price. Any prices bound the sum; {@link #tune} looks for prices with a low bound by
  * multiplicative updates (Arora, Hazan and Kale 2012).
  */
-final class Prices {
+final class Prices implements PriceSearch.Relaxation {
   private final CoverageProblem problem;
+  private final BitMatrix masks;
   private final RemainingSets remaining;
   private final long[] targetPrices;
   private final long[] bestTargetPrices;
@@ -24,11 +26,16 @@ final class Prices {
 
   private final int[] offers;
   private final int[] demands;
+  private final PriceSearch priceSearch = new PriceSearch(this, PriceSearch.Pace.STEADY);
   private boolean tuned;
+  private TargetWorth tunedWorth;
+  private long requiredSum;
+  private long lastSurplus;
   private long lowestBound;
 
   Prices(CoverageProblem problem, RemainingSets remaining) {
     this.problem = problem;
+    masks = problem.masks();
     this.remaining = remaining;
     int targets = problem.maxTargets();
     targetPrices = new long[targets];
@@ -95,28 +102,39 @@ final class Prices {
    * @param rounds how often prices are changed
    * @return whether the required sum may still be reached
    */
-  boolean tune(TargetWorth worth, long requiredSum, int rounds) {
-    startAtHalf(worth);
-    double leastRatio = Double.POSITIVE_INFINITY;
+  boolean tune(TargetWorth worth, long newRequiredSum, int rounds) {
+    tunedWorth = worth;
+    requiredSum = newRequiredSum;
     lowestBound = Long.MAX_VALUE;
-    for (int round = 0; round < rounds; round++) {
-      offerMostExpensiveSets();
-      long surplus = bound(worth) - requiredSum;
-      lowestBound = Math.min(lowestBound, surplus + requiredSum);
-      if (surplus < 0) {
-        priceAllSets();
-        return false;
-      }
-      double ratio = surplus / sumOfPrices();
-      if (ratio < leastRatio) {
-        leastRatio = ratio;
-        System.arraycopy(targetPrices, 0, bestTargetPrices, 0, problem.targets());
-      }
-      changePrices(worth, round);
-    }
-    System.arraycopy(bestTargetPrices, 0, targetPrices, 0, problem.targets());
+    startAtHalf(worth);
+    priceSearch.search(rounds);
     priceAllSets();
-    return true;
+    return lastSurplus >= 0;
+  }
+
+  /** Returns how far the bound exceeds the sum, in proportion to the sum of the prices. */
+  @Override
+  public double solveParts() {
+    offerMostExpensiveSets();
+    lastSurplus = bound(tunedWorth) - requiredSum;
+    lowestBound = Math.min(lowestBound, lastSurplus + requiredSum);
+    return lastSurplus / sumOfPrices();
+  }
+
+  @Override
+  public void keepPrices() {
+    System.arraycopy(targetPrices, 0, bestTargetPrices, 0, problem.targets());
+  }
+
+  @Override
+  public void restorePrices() {
+    System.arraycopy(bestTargetPrices, 0, targetPrices, 0, problem.targets());
+  }
+
+  /** Whether the last prices show that the sum is out of reach. */
+  @Override
+  public boolean isDone() {
+    return lastSurplus < 0;
   }
 
   private void startAtHalf(TargetWorth worth) {
@@ -142,13 +160,11 @@ final class Prices {
       int mostExpensive = remaining.first(camera);
       for (int set = mostExpensive; set < problem.endSet(camera); set++) {
         if (remaining.has(set)) {
-          setPrices[set] = sumOfPrices(set);
+          setPrices[set] = masks.sum(set, targetPrices);
           mostExpensive = setPrices[set] > setPrices[mostExpensive] ? set : mostExpensive;
         }
       }
-      for (int word = 0; word < problem.words(); word++) {
-        BitMatrix.add(offers, word, problem.mask(mostExpensive, word), 1);
-      }
+      masks.add(mostExpensive, offers, 1);
     }
   }
 
@@ -158,26 +174,19 @@ final class Prices {
    */
   private void priceAllSets() {
     for (int set = 0; set < problem.sets(); set++) {
-      setPrices[set] = sumOfPrices(set);
+      setPrices[set] = masks.sum(set, targetPrices);
     }
-  }
-
-  private long sumOfPrices(int set) {
-    long sum = 0;
-    for (int word = 0; word < problem.words(); word++) {
-      sum += BitMatrix.sum(targetPrices, word, problem.mask(set, word));
-    }
-    return sum;
   }
 
   /** Lowers the prices of targets that are offered more often than demanded; raises the others. */
-  private void changePrices(TargetWorth worth, int round) {
+  @Override
+  public void changePrices() {
     double greatestDifference = 1;
     for (int target = 0; target < problem.targets(); target++) {
-      demands[target] = worth.demand(remaining.maxCoverage(target), targetPrices[target]);
+      demands[target] = tunedWorth.demand(remaining.maxCoverage(target), targetPrices[target]);
       greatestDifference = Math.max(greatestDifference, Math.abs(offers[target] - demands[target]));
     }
-    double rate = 1 / (greatestDifference * Math.sqrt(1 + 0.3 * round));
+    double rate = 1 / (greatestDifference * Math.sqrt(1 + 0.3 * priceSearch.round()));
     for (int target = 0; target < problem.targets(); target++) {
       double factor = Math.max(0.1, 1 - rate * (offers[target] - demands[target]));
       targetPrices[target] =

@@ -14,6 +14,7 @@ import org.hificamsim.solver.BitMatrix;
  */
 final class RemainingSets {
   private final CoverageProblem problem;
+  private final BitMatrix masks;
   private final boolean[] remains;
   private final boolean[] isIncluded;
   private final int[] setCounts;
@@ -34,6 +35,7 @@ final class RemainingSets {
 
   RemainingSets(CoverageProblem problem) {
     this.problem = problem;
+    masks = problem.masks();
     remains = new boolean[problem.maxSets()];
     isIncluded = new boolean[problem.maxSets()];
     setCounts = new int[problem.maxCameras()];
@@ -59,7 +61,7 @@ final class RemainingSets {
       setCounts[camera] = problem.endSet(camera) - problem.firstSet(camera);
       choosingCameras[choosingCount] = camera;
       choosingCount += setCounts[camera] > 1 ? 1 : 0;
-      for (int word = 0; word < problem.words(); word++) {
+      for (int word = 0; word < masks.words(); word++) {
         combineSets(camera, word);
         BitMatrix.add(maxCoverage, word, union(camera, word), 1);
         BitMatrix.add(minCoverage, word, intersections.word(camera, word), 1);
@@ -72,8 +74,8 @@ final class RemainingSets {
     long intersection = -1;
     for (int set = problem.firstSet(camera); set < problem.endSet(camera); set++) {
       if (remains[set]) {
-        union |= problem.mask(set, word);
-        intersection &= problem.mask(set, word);
+        union |= masks.word(set, word);
+        intersection &= masks.word(set, word);
       }
     }
     unions.setWord(camera, word, union);
@@ -117,7 +119,7 @@ final class RemainingSets {
     if (--setCounts[camera] == 0) {
       return false;
     }
-    for (int word = 0; word < problem.words(); word++) {
+    for (int word = 0; word < masks.words(); word++) {
       long unionBefore = union(camera, word);
       long intersectionBefore = intersections.word(camera, word);
       combineSets(camera, word);
@@ -137,8 +139,8 @@ final class RemainingSets {
       }
     }
     setCounts[camera] = 1;
-    for (int word = 0; word < problem.words(); word++) {
-      long mask = problem.mask(set, word);
+    for (int word = 0; word < masks.words(); word++) {
+      long mask = masks.word(set, word);
       BitMatrix.add(maxCoverage, word, union(camera, word) & ~mask, -1);
       BitMatrix.add(minCoverage, word, mask & ~intersections.word(camera, word), 1);
       unions.setWord(camera, word, mask);
@@ -185,8 +187,8 @@ final class RemainingSets {
     int camera = problem.cameraOf(set);
     remains[set] = true;
     if (setCounts[camera]++ > 0) {
-      for (int word = 0; word < problem.words(); word++) {
-        long mask = problem.mask(set, word);
+      for (int word = 0; word < masks.words(); word++) {
+        long mask = masks.word(set, word);
         BitMatrix.add(maxCoverage, word, mask & ~union(camera, word), 1);
         BitMatrix.add(minCoverage, word, intersections.word(camera, word) & ~mask, -1);
         unions.setWord(camera, word, union(camera, word) | mask);
@@ -259,6 +261,13 @@ final class RemainingSets {
   /** The targets that some, but not all, remaining sets of the camera hold: a word of the mask. */
   long undecided(int camera, int word) {
     return unions.word(camera, word) & ~intersections.word(camera, word);
+  }
+
+  /** Makes the undecided targets of a camera the only row of a matrix. */
+  void copyUndecided(int camera, BitMatrix undecided) {
+    undecided.reshape(problem.targets());
+    undecided.setRow(0, unions, camera);
+    undecided.subtract(0, intersections, camera);
   }
 
   /** Whether some, but not all, remaining sets of the camera hold the target. */

@@ -39,9 +39,6 @@ final class EnumerationTree implements BranchList.Problem {
   /** By depth, the number of points that the path covers. */
   private final int[] coveredPoints;
 
-  /** By depth, the gains of the candidates that the nodes above allow, the greatest first. */
-  private final long[][] allowedGains;
-
   /**
    * By depth, the gains of the candidates that a better plan may add, the greatest first. A branch
    * is an index into them.
@@ -83,7 +80,6 @@ final class EnumerationTree implements BranchList.Problem {
       }
     }
     coveredPoints = new int[cameras + 1];
-    allowedGains = new long[cameras + 1][];
     gains = new long[cameras + 1][];
     tried = new boolean[cameras + 1][];
     allowed = new BitMatrix(1, instance.candidates());
@@ -115,10 +111,6 @@ final class EnumerationTree implements BranchList.Problem {
   double search(double newMargin) {
     margin = newMargin;
     updateRequired();
-    allowedGains[0] =
-        IntStream.range(0, covered.rows())
-            .mapToLong(candidate -> Gain.of(coverablePoints, candidate))
-            .toArray();
     branches.begin();
     new BranchAndBound().search(branches, Long.MAX_VALUE);
     return stopped ? Double.POSITIVE_INFINITY : requiredCovered - 1;
@@ -140,7 +132,7 @@ final class EnumerationTree implements BranchList.Problem {
     stopped = stopped || stop.getAsBoolean();
     if (!stopped && remaining > 0) {
       int missing = requiredCovered - coveredPoints[depth];
-      gains[depth] = gains(depth, remaining, missing);
+      gains[depth] = promisingGains(depth, remaining, missing);
       tried[depth] = new boolean[gains[depth].length];
       listSmallerSet(depth, remaining, (missing + remaining - 1) / remaining);
     }
@@ -179,18 +171,6 @@ final class EnumerationTree implements BranchList.Problem {
     path[depth] = Gain.candidate(gains[depth][branch]);
     uncovered.setRow(depth + 1, uncovered, depth);
     uncovered.subtract(depth + 1, covered, path[depth]);
-    allowedGains[depth + 1] = untried(depth, branch);
-  }
-
-  private long[] untried(int depth, int taken) {
-    long[] untried = new long[gains[depth].length];
-    int count = 0;
-    for (int i = 0; i < untried.length; i++) {
-      if (i != taken && !tried[depth][i]) {
-        untried[count++] = gains[depth][i];
-      }
-    }
-    return Arrays.copyOf(untried, count);
   }
 
   @Override
@@ -208,24 +188,40 @@ final class EnumerationTree implements BranchList.Problem {
    *
    * @return the gains, the greatest first
    */
-  private long[] gains(int depth, int remaining, int missing) {
-    long[] newGains = new long[allowedGains[depth].length];
-    int count = 0;
-    int greatest = 0;
-    for (long allowedGain : allowedGains[depth]) {
-      int limit = Gain.gain(allowedGain); // gains only shrink from parent to child
-      if (limit + (remaining - 1) * Math.max(greatest, limit) < missing) {
-        break;
-      }
-      int candidate = Gain.candidate(allowedGain);
-      int gain = covered.countCommon(candidate, uncovered, depth);
-      greatest = Math.max(greatest, gain);
-      newGains[count++] = Gain.of(gain, candidate);
-    }
-    Arrays.sort(newGains, 0, count);
+  private long[] promisingGains(int depth, int remaining, int missing) {
+    long[] newGains = depth == 0 ? gainsOfAll() : gainsBelow(depth, remaining, missing);
+    Arrays.sort(newGains);
+    int count = newGains.length;
     int others = Gain.sumOfFirst(newGains, Math.min(count, remaining - 1));
     while (count > 0 && Gain.gain(newGains[count - 1]) < Math.max(1, missing - others)) {
       count--;
+    }
+    return Arrays.copyOf(newGains, count);
+  }
+
+  private long[] gainsOfAll() {
+    return IntStream.range(0, covered.rows()).mapToLong(candidate -> gain(candidate, 0)).toArray();
+  }
+
+  private long gain(int candidate, int depth) {
+    return Gain.of(covered.countCommon(candidate, uncovered, depth), candidate);
+  }
+
+  /** Gains of candidates that the node above has not tried: they only shrink from there. */
+  private long[] gainsBelow(int depth, int remaining, int missing) {
+    long[] above = gains[depth - 1];
+    long[] newGains = new long[above.length];
+    int count = 0;
+    int greatest = 0;
+    for (int i = 0; i < above.length; i++) {
+      int limit = Gain.gain(above[i]);
+      if (limit + (remaining - 1) * Math.max(greatest, limit) < missing) {
+        break;
+      }
+      if (i != branches.taken(depth - 1) && !tried[depth - 1][i]) {
+        newGains[count] = gain(Gain.candidate(above[i]), depth);
+        greatest = Math.max(greatest, Gain.gain(newGains[count++]));
+      }
     }
     return Arrays.copyOf(newGains, count);
   }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
+import org.hificamsim.solver.PriceSearch;
 
 /**
  * Bounds the score of any plan by Lagrangian relaxation. Covering a point has a price of its own,
@@ -15,9 +16,9 @@ import java.util.stream.IntStream;
  * and 0 for all others. With them, this is the data-dependent bound of submodular maximisation: the
  * worth of the plan plus the best further gains.
  */
-public final class LagrangianBound {
-  private static final int IDLE_STEPS_PER_SCALE = 10;
-  private static final double MIN_SCALE = 1e-4;
+public final class LagrangianBound implements PriceSearch.Relaxation {
+  private static final PriceSearch.Pace PACE = new PriceSearch.Pace(1, 10, 0.5, 1, true);
+  private static final double MIN_PACE = 1e-4;
   private static final double EPSILON = 1e-12;
   private static final int BISECTIONS = 60;
 
@@ -31,7 +32,7 @@ public final class LagrangianBound {
    */
   private final double[] multipliers;
 
-  /** The multipliers that prove {@link #bound}. */
+  /** The multipliers that prove the bound. */
   private final double[] bestMultipliers;
 
   /** The sum of the multipliers of the points of each candidate. */
@@ -40,9 +41,10 @@ public final class LagrangianBound {
   /** The worth of a price of 1, for the present multipliers: the multiplier of the budget. */
   private double worthOfPrice = 1;
 
-  private double bound;
-  private double scale = 1;
-  private int idleSteps;
+  private final PriceSearch priceSearch = new PriceSearch(this, PACE);
+
+  /** The score of the best plan so far. */
+  private double score;
 
   /**
    * @param multipliers the first multipliers, by point
@@ -54,7 +56,7 @@ public final class LagrangianBound {
     this.multiplierSums = new double[instance.candidates()];
     this.multipliers = multipliers.clone();
     this.bestMultipliers = multipliers.clone();
-    bound = updatedValue();
+    priceSearch.begin();
   }
 
   /**
@@ -99,7 +101,11 @@ public final class LagrangianBound {
 
   /** The worth that no plan exceeds; for full cover, the price below which there is no plan. */
   double bound() {
-    return goal.tightened(bound, scoreStep);
+    return goal.tightened(untightenedBound(), scoreStep);
+  }
+
+  private double untightenedBound() {
+    return goal.isFullCover() ? -priceSearch.lowest() : priceSearch.lowest();
   }
 
   /** The multipliers that prove the bound, by point. */
@@ -221,31 +227,45 @@ public final class LagrangianBound {
   /**
    * Improves the bound by subgradient steps (Held, Wolfe and Crowder 1974).
    *
-   * @param score the score of the best plan so far
+   * @param bestScore the score of the best plan so far
    */
-  void improve(int steps, double score, BooleanSupplier stop) {
-    for (int i = 0; i < steps && !proves(score) && !stop.getAsBoolean(); i++) {
-      step(score);
+  void improve(int steps, double bestScore, BooleanSupplier stop) {
+    score = bestScore;
+    for (int i = 0; i < steps && !isDone() && !stop.getAsBoolean(); i++) {
+      priceSearch.step();
     }
+  }
+
+  @Override
+  public boolean isDone() {
+    return proves(score);
+  }
+
+  /** Returns the bound that the multipliers prove; for full cover, its negative. */
+  @Override
+  public double solveParts() {
+    double value = updatedValue();
+    return goal.isFullCover() ? -value : value;
+  }
+
+  @Override
+  public void keepPrices() {
+    System.arraycopy(multipliers, 0, bestMultipliers, 0, bestMultipliers.length);
+  }
+
+  @Override
+  public void restorePrices() {
+    restoreBest();
+  }
+
+  @Override
+  public void changePrices() {
+    move(relaxedCoverage(), Math.abs(untightenedBound() - score));
   }
 
   /** Whether the bound proves that no plan has a better score. */
   boolean proves(double score) {
     return goal.isBest(score, bound());
-  }
-
-  private void step(double score) {
-    move(relaxedCoverage(), Math.abs(bound - score));
-    double value = updatedValue();
-    boolean better = goal.isFullCover() ? value > bound : value < bound;
-    idleSteps = better ? 0 : idleSteps + 1;
-    if (better) {
-      bound = value;
-      System.arraycopy(multipliers, 0, bestMultipliers, 0, bestMultipliers.length);
-    } else if (idleSteps % IDLE_STEPS_PER_SCALE == 0) {
-      scale /= 2;
-      restoreBest();
-    }
   }
 
   /**
@@ -307,7 +327,7 @@ public final class LagrangianBound {
       gradient[point] = leavesRange ? 0 : gradient[point];
       squaredNorm += gradient[point] * gradient[point];
     }
-    double length = squaredNorm == 0 ? 0 : scale * Math.max(gap, 1e-3) / squaredNorm;
+    double length = squaredNorm == 0 ? 0 : priceSearch.pace() * Math.max(gap, 1e-3) / squaredNorm;
     for (int point = 0; point < gradient.length; point++) {
       double moved = multipliers[point] + length * gradient[point];
       multipliers[point] = Math.max(0, Math.min(maxMultiplier(point), moved));
@@ -320,7 +340,7 @@ public final class LagrangianBound {
 
   /** Whether the steps have become too small to matter. */
   boolean isExhausted() {
-    return scale < MIN_SCALE;
+    return priceSearch.pace() < MIN_PACE;
   }
 
   /** The price of a candidate minus its worth for the present multipliers. */

@@ -1,6 +1,7 @@
 package org.hificamsim.solver.way;
 
 import java.util.Arrays;
+import org.hificamsim.solver.PriceSearch;
 
 /**
  * The most that cameras can score in a run if their moves take time: a plan, and a bound that no
@@ -11,13 +12,10 @@ import java.util.Arrays;
  * way of each camera, add up to a bound at any prices. Subgradients with Polyak's step lower it.
  * Prices of 0 give the sum of the steps' optima, so that the bound never exceeds that.
  */
-public final class WaySolver {
+public final class WaySolver implements PriceSearch.Relaxation {
   private static final long STEP_NODES = 6_000;
   private static final double MEMORY = 0.7;
-  private static final int PATIENCE = 4;
-  private static final double FIRST_PACE = 0.15;
-  private static final double SLOWDOWN = 0.6;
-  private static final double SPEEDUP = 1.1;
+  private static final PriceSearch.Pace PACE = new PriceSearch.Pace(0.15, 5, 0.6, 1.1, false);
   private static final int PLAN_INTERVAL = 5;
   private static final int ORDERS = 8;
   private static final double ROUNDING = 1e-9;
@@ -30,8 +28,8 @@ public final class WaySolver {
   private final double[] prices;
   private final double[] bestPrices;
   private final double[] direction;
+  private final PriceSearch priceSearch = new PriceSearch(this, PACE);
   private double bound = Double.POSITIVE_INFINITY;
-  private int iterations;
 
   /** Prepares the search for a plan and a bound. */
   public WaySolver(WayProblem problem) {
@@ -54,27 +52,36 @@ public final class WaySolver {
     for (int seed = 0; seed < ORDERS; seed++) {
       planner.planFromNothing(seed);
     }
-    double pace = FIRST_PACE;
-    int waited = 0;
-    while (iterations < maxIterations && !isProven()) {
-      double value = bound(prices, direction);
-      waited++;
-      if (value < bound) {
-        waited = 0;
-        pace = Math.min(1, pace * SPEEDUP);
-        bound = value;
-        System.arraycopy(prices, 0, bestPrices, 0, prices.length);
-      }
-      if (waited > PATIENCE) {
-        waited = 0;
-        pace *= SLOWDOWN;
-      }
-      if (iterations % PLAN_INTERVAL == 0) {
-        planner.planFrom(rewardingWays, iterations, 1);
-      }
-      changePrices(pace * (value - score()));
-      iterations++;
+    if (maxIterations > 0) {
+      bound = priceSearch.search(maxIterations);
     }
+  }
+
+  @Override
+  public double solveParts() {
+    return bound(prices, direction);
+  }
+
+  @Override
+  public void keepPrices() {
+    System.arraycopy(prices, 0, bestPrices, 0, prices.length);
+  }
+
+  @Override
+  public void restorePrices() {
+    System.arraycopy(bestPrices, 0, prices, 0, prices.length);
+  }
+
+  @Override
+  public void improvePlan() {
+    if (priceSearch.round() % PLAN_INTERVAL == 0) {
+      planner.planFrom(rewardingWays, priceSearch.round(), 1);
+    }
+  }
+
+  @Override
+  public boolean isDone() {
+    return rounded(priceSearch.lowest()) <= score();
   }
 
   /** Computes the bound of given prices, so that it can be checked without a search. */
@@ -103,7 +110,9 @@ public final class WaySolver {
     return sum + ROUNDING * Math.max(1, Math.abs(sum));
   }
 
-  private void changePrices(double surplus) {
+  @Override
+  public void changePrices() {
+    double surplus = priceSearch.pace() * (priceSearch.value() - score());
     double norm = 0;
     for (int set = 0; set < prices.length; set++) {
       if (prices[set] > 0 || direction[set] > 0) {
@@ -117,10 +126,6 @@ public final class WaySolver {
     }
   }
 
-  private boolean isProven() {
-    return bound() <= score();
-  }
-
   /** The score of the plan. */
   public double score() {
     return planner.bestScore();
@@ -128,9 +133,12 @@ public final class WaySolver {
 
   /** The bound on the score of any policy whose moves take time. */
   public double bound() {
-    boolean isWhole = !problem.objective().isShare();
-    double floor = isWhole ? Math.floor(bound) : bound;
-    return Math.max(floor, score());
+    return Math.max(rounded(bound), score());
+  }
+
+  /** Scores are whole numbers, unless they are shares. */
+  private double rounded(double lowestBound) {
+    return problem.objective().isShare() ? lowestBound : Math.floor(lowestBound);
   }
 
   /** The prices of the bound, by set. */
