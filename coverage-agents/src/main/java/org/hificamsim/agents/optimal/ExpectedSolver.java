@@ -3,6 +3,8 @@ package org.hificamsim.agents.optimal;
 import java.util.Arrays;
 import org.hificamsim.solver.BranchAndBound;
 import org.hificamsim.solver.BranchList;
+import org.hificamsim.solver.Exchange;
+import org.hificamsim.solver.PriceSearch;
 import org.hificamsim.solver.configuration.Solver;
 
 /**
@@ -15,7 +17,8 @@ import org.hificamsim.solver.configuration.Solver;
  * good configuration. {@link BranchAndBound} over the cameras, with this bound, then proves the
  * best one to within {@value #TOLERANCE}.
  */
-final class ExpectedSolver extends Solver implements BranchList.Problem {
+final class ExpectedSolver extends Solver
+    implements BranchList.Problem, Exchange.Choice, PriceSearch.Relaxation {
   static final double TOLERANCE = 1e-9;
 
   private static final int ROUNDS = 60;
@@ -30,6 +33,10 @@ final class ExpectedSolver extends Solver implements BranchList.Problem {
   private final ChanceRows rows;
   private final long maxNodes;
   private final double[] coverage;
+
+  /** By target, its coverage by the rows with the greatest weighted sums. */
+  private final double[] relaxedCoverage;
+
   private final double[] weights;
   private final double[] bestWeights;
   private final int[] chosen;
@@ -41,10 +48,14 @@ final class ExpectedSolver extends Solver implements BranchList.Problem {
   /** The rows of the camera whose number is the depth. */
   private final BranchList branches;
 
+  private final PriceSearch priceSearch = new PriceSearch(this, PriceSearch.Pace.STEADY);
   private final BranchAndBound search = new BranchAndBound();
 
   /** The weighted sums of the rows of the cameras that have decided. */
   private double chosenWeight;
+
+  /** The least coverage that the exchange has reached. */
+  private double reached;
 
   private double value;
   private double bound;
@@ -57,6 +68,7 @@ final class ExpectedSolver extends Solver implements BranchList.Problem {
     this.rows = rows;
     this.maxNodes = maxNodes;
     coverage = new double[rows.maxTargets()];
+    relaxedCoverage = new double[rows.maxTargets()];
     weights = new double[rows.maxTargets()];
     bestWeights = new double[rows.maxTargets()];
     chosen = new int[rows.maxCameras()];
@@ -68,7 +80,8 @@ final class ExpectedSolver extends Solver implements BranchList.Problem {
   @Override
   public void solve() {
     value = -1;
-    tuneWeights();
+    startAtEqualWeights();
+    bound = priceSearch.search(ROUNDS);
     proven = bound <= value + TOLERANCE || search();
     recomputeValue();
     gap = proven ? 0 : Math.max(bound, 0) - Math.max(value, 0);
@@ -85,54 +98,62 @@ final class ExpectedSolver extends Solver implements BranchList.Problem {
     for (int camera = 0; camera < rows.cameras(); camera++) {
       rows.add(best[camera], 1, coverage);
     }
-    value = least();
+    value = least(coverage);
   }
 
-  private void tuneWeights() {
-    bound = Double.POSITIVE_INFINITY;
+  private void startAtEqualWeights() {
     for (int i = 0; i < rows.targets(); i++) {
       weights[rows.target(i)] = 1.0 / rows.targets();
-    }
-    for (int round = 0; round < ROUNDS && bound > value + TOLERANCE; round++) {
-      double newBound = chooseGreatestRows();
-      if (newBound < bound) {
-        bound = newBound;
-        System.arraycopy(weights, 0, bestWeights, 0, weights.length);
-      }
-      updateWeights(FIRST_RATE / Math.sqrt(1.0 + round));
-      improve();
     }
   }
 
   /** Chooses each camera's row with the greatest weighted sum; returns the total of these sums. */
-  private double chooseGreatestRows() {
+  @Override
+  public double solveParts() {
     Arrays.fill(coverage, 0);
     double sum = 0;
     for (int camera = 0; camera < rows.cameras(); camera++) {
-      chosen[camera] = greatestRow(camera, weights);
+      chosen[camera] = greatestRow(camera);
       sum += rows.weightedSum(chosen[camera], weights);
       rows.add(chosen[camera], 1, coverage);
     }
+    System.arraycopy(coverage, 0, relaxedCoverage, 0, coverage.length);
     return sum;
   }
 
-  private int greatestRow(int camera, double[] targetWeights) {
+  @Override
+  public void keepPrices() {
+    System.arraycopy(weights, 0, bestWeights, 0, weights.length);
+  }
+
+  @Override
+  public void restorePrices() {
+    System.arraycopy(bestWeights, 0, weights, 0, weights.length);
+  }
+
+  @Override
+  public boolean isDone() {
+    return priceSearch.lowest() <= value + TOLERANCE;
+  }
+
+  private int greatestRow(int camera) {
     int greatest = rows.first(camera);
     for (int row = greatest + 1; row < rows.first(camera + 1); row++) {
-      boolean greater =
-          rows.weightedSum(row, targetWeights) > rows.weightedSum(greatest, targetWeights);
+      boolean greater = rows.weightedSum(row, weights) > rows.weightedSum(greatest, weights);
       greatest = greater ? row : greatest;
     }
     return greatest;
   }
 
   /** Raises the weights of targets with little coverage. */
-  private void updateWeights(double rate) {
-    double least = least();
+  @Override
+  public void changePrices() {
+    double rate = FIRST_RATE / Math.sqrt(1.0 + priceSearch.round());
+    double least = least(relaxedCoverage);
     double sum = 0;
     for (int i = 0; i < rows.targets(); i++) {
       int target = rows.target(i);
-      double difference = Math.min(coverage[target] - least, MAX_DIFFERENCE);
+      double difference = Math.min(relaxedCoverage[target] - least, MAX_DIFFERENCE);
       weights[target] *= StrictMath.exp(-rate * difference);
       weights[target] = Math.max(weights[target], MIN_WEIGHT);
       sum += weights[target];
@@ -143,27 +164,32 @@ final class ExpectedSolver extends Solver implements BranchList.Problem {
   }
 
   /** Changes one camera after the other as long as the least coverage rises. */
-  private void improve() {
-    double reached = least();
-    boolean better = true;
-    for (int pass = 0; better && pass < MAX_PASSES; pass++) {
-      better = false;
-      for (int camera = 0; camera < rows.cameras(); camera++) {
-        for (int row = rows.first(camera); row < rows.first(camera + 1); row++) {
-          double changed = row == chosen[camera] ? reached : swap(camera, row, reached);
-          better |= changed > reached;
-          reached = changed;
-        }
-      }
+  @Override
+  public void improvePlan() {
+    reached = least(coverage);
+    Exchange.improve(this, MAX_PASSES);
+    keep(least(coverage));
+  }
+
+  @Override
+  public int choosers() {
+    return rows.cameras();
+  }
+
+  @Override
+  public boolean exchange(int camera) {
+    double before = reached;
+    for (int row = rows.first(camera); row < rows.first(camera + 1); row++) {
+      reached = row == chosen[camera] ? reached : swap(camera, row);
     }
-    keep(least());
+    return reached > before;
   }
 
   /** Chooses another row of a camera if that is better; returns the least coverage then. */
-  private double swap(int camera, int row, double reached) {
+  private double swap(int camera, int row) {
     rows.add(chosen[camera], -1, coverage);
     rows.add(row, 1, coverage);
-    double changed = least();
+    double changed = least(coverage);
     if (changed > reached + TOLERANCE) {
       chosen[camera] = row;
       return changed;
@@ -180,10 +206,10 @@ final class ExpectedSolver extends Solver implements BranchList.Problem {
     }
   }
 
-  private double least() {
+  private double least(double[] byTarget) {
     double least = Double.POSITIVE_INFINITY;
     for (int i = 0; i < rows.targets(); i++) {
-      least = Math.min(least, coverage[rows.target(i)]);
+      least = Math.min(least, byTarget[rows.target(i)]);
     }
     return least;
   }
@@ -191,8 +217,7 @@ final class ExpectedSolver extends Solver implements BranchList.Problem {
   private boolean search() {
     restBounds[rows.cameras()] = 0;
     for (int camera = rows.cameras() - 1; camera >= 0; camera--) {
-      restBounds[camera] =
-          restBounds[camera + 1] + rows.weightedSum(greatestRow(camera, bestWeights), bestWeights);
+      restBounds[camera] = restBounds[camera + 1] + rows.weightedSum(greatestRow(camera), weights);
     }
     Arrays.fill(coverage, 0);
     chosenWeight = 0;
@@ -204,7 +229,7 @@ final class ExpectedSolver extends Solver implements BranchList.Problem {
   @Override
   public void list(int camera) {
     if (camera == rows.cameras()) {
-      keep(least());
+      keep(least(coverage));
     } else if (camera == 0 || chosenWeight + restBounds[camera] > value + TOLERANCE) {
       for (int row = rows.first(camera); row < rows.first(camera + 1); row++) {
         branches.add(row);
@@ -216,12 +241,12 @@ final class ExpectedSolver extends Solver implements BranchList.Problem {
   public void take(int camera, int row) {
     chosen[camera] = row;
     rows.add(row, 1, coverage);
-    chosenWeight += rows.weightedSum(row, bestWeights);
+    chosenWeight += rows.weightedSum(row, weights);
   }
 
   @Override
   public void undo(int camera, int row) {
     rows.add(row, -1, coverage);
-    chosenWeight -= rows.weightedSum(row, bestWeights);
+    chosenWeight -= rows.weightedSum(row, weights);
   }
 }

@@ -6,6 +6,7 @@ import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.solver.BitMatrix;
 import org.hificamsim.solver.BranchAndBound;
 import org.hificamsim.solver.BranchList;
+import org.hificamsim.solver.Exchange;
 
 /**
  * Finds the constant configuration with the best score over a finished run. Coordinate ascent, from
@@ -15,7 +16,7 @@ import org.hificamsim.solver.BranchList;
  * <p>The bound of a partial configuration lets every undecided camera use all its sets at once.
  * Sets that another set of the camera includes are left out.
  */
-public final class RunSolver extends Solver implements BranchList.Problem {
+public final class RunSolver extends Solver implements BranchList.Problem, Exchange.Choice {
   private static final int STARTS = 16;
 
   private final Objective objective;
@@ -35,6 +36,7 @@ public final class RunSolver extends Solver implements BranchList.Problem {
   /** The number of cameras that cover each target if undecided cameras use all their sets. */
   private final int[] optimisticCoverage;
 
+  private double trialScore;
   private double bestScore = -1;
 
   /**
@@ -92,30 +94,30 @@ public final class RunSolver extends Solver implements BranchList.Problem {
 
   /** Gives one camera after the other its best set until no change improves the score. */
   private void ascend() {
-    double before;
-    double score = score(trial.coverage());
-    do {
-      before = score;
-      for (int camera = 0; camera < problem.cameras(); camera++) {
-        score = improve(camera, score);
-      }
-    } while (score > before);
-    keep(score);
+    trialScore = score(trial.coverage());
+    Exchange.improve(this, Exchange.UNLIMITED);
+    keep(trialScore);
   }
 
-  private double improve(int camera, double score) {
-    double greatest = score;
+  @Override
+  public int choosers() {
+    return problem.cameras();
+  }
+
+  @Override
+  public boolean exchange(int camera) {
+    double before = trialScore;
     for (int set : setsToTry[camera]) {
-      int before = trial.set(camera);
+      int setBefore = trial.set(camera);
       trial.exchange(camera, set);
       double changed = score(trial.coverage());
-      if (changed > greatest) {
-        greatest = changed;
+      if (changed > trialScore) {
+        trialScore = changed;
       } else {
-        trial.exchange(camera, before);
+        trial.exchange(camera, setBefore);
       }
     }
-    return greatest;
+    return trialScore > before;
   }
 
   private void keep(double score) {

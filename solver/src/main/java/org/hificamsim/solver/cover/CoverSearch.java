@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
+import org.hificamsim.solver.Exchange;
 
 /**
  * Finds a plan, and a bound on all plans of the same candidates.
@@ -20,7 +21,7 @@ import java.util.stream.IntStream;
  *   <li>If asked for, an {@link ExactMethod} closes the gap.
  * </ol>
  */
-public final class CoverSearch {
+public final class CoverSearch implements Exchange.Choice {
   /** Receives the score and the bound when one of them has improved. */
   @FunctionalInterface
   public interface Watcher {
@@ -51,6 +52,9 @@ public final class CoverSearch {
 
   /** The plan that is being changed. */
   private final Selection selection;
+
+  /** The candidates that are exchanged, one after the other. */
+  private int[] exchanged = {};
 
   /** The best plan so far, in ascending order; only {@link #keep} replaces it. */
   private int[] best = {};
@@ -239,17 +243,21 @@ public final class CoverSearch {
 
   /** Replaces one candidate after the other by a better one until the plan improves no more. */
   private void exchange() {
-    boolean better = !goal.isFullCover();
-    while (better && !stop.getAsBoolean()) {
-      better = false;
-      for (int candidate : selection.candidates()) {
-        better |= exchange(candidate);
-      }
+    if (!goal.isFullCover()) {
+      Exchange.improve(this, Exchange.UNLIMITED);
     }
     keep(selection.candidates());
   }
 
-  private boolean exchange(int candidate) {
+  @Override
+  public int choosers() {
+    exchanged = stop.getAsBoolean() ? new int[0] : selection.candidates();
+    return exchanged.length;
+  }
+
+  @Override
+  public boolean exchange(int chooser) {
+    int candidate = exchanged[chooser];
     double before = selection.worth();
     selection.remove(candidate);
     int replacement = candidate;

@@ -1,14 +1,18 @@
 package org.hificamsim.solver.way;
 
 import java.util.Arrays;
+import org.hificamsim.solver.Exchange;
+import org.hificamsim.solver.PriceSearch;
 
 /**
  * A group of cameras in a step and the prices of its targets (Lagrangian relaxation): each camera
  * offers its most profitable set, and each target buys as many cameras as are worth its price. Any
  * prices bound the worth of the targets less the prices of the sets.
  */
-abstract class GroupPrices {
+abstract class GroupPrices implements PriceSearch.Relaxation, Exchange.Choice {
   private static final int ROUNDS = 12;
+  private static final int PASSES = 4;
+  private static final PriceSearch.Pace PACE = new PriceSearch.Pace(1, 1, 0.5, 1, false);
   static final double TOLERANCE = 1e-9;
 
   final WayProblem problem;
@@ -32,6 +36,8 @@ abstract class GroupPrices {
   final double[] shortage;
 
   final boolean[] seen;
+
+  private final PriceSearch search = new PriceSearch(this, PACE);
 
   StepWorth worth;
   double[] prices;
@@ -68,7 +74,7 @@ abstract class GroupPrices {
     collect(group);
     bestValue = 0;
     Arrays.fill(best, 0, cameraCount, WayProblem.NOTHING);
-    double bound = tune();
+    double bound = search.search(ROUNDS);
     if (bound > bestValue + TOLERANCE) {
       bound = Math.min(bound, closeGap(bound, nodes));
     }
@@ -107,23 +113,24 @@ abstract class GroupPrices {
     }
   }
 
-  /** Changes the prices of targets against the bound; returns the least one. */
-  private double tune() {
-    double least = Double.POSITIVE_INFINITY;
-    double pace = 1;
-    for (int round = 0; round < ROUNDS && least > bestValue + TOLERANCE; round++) {
-      double bound = offer();
-      if (bound < least) {
-        least = bound;
-        copyPrices(targetPrices, bestTargetPrices);
-      } else {
-        pace /= 2;
-      }
-      improve();
-      changePrices(pace * (bound - bestValue));
-    }
+  @Override
+  public final double solveParts() {
+    return offer();
+  }
+
+  @Override
+  public final void keepPrices() {
+    copyPrices(targetPrices, bestTargetPrices);
+  }
+
+  @Override
+  public final void restorePrices() {
     copyPrices(bestTargetPrices, targetPrices);
-    return least;
+  }
+
+  @Override
+  public final boolean isDone() {
+    return search.lowest() <= bestValue + TOLERANCE;
   }
 
   private void copyPrices(double[] from, double[] to) {
@@ -189,7 +196,9 @@ abstract class GroupPrices {
     return norm;
   }
 
-  private void changePrices(double surplus) {
+  @Override
+  public final void changePrices() {
+    double surplus = search.pace() * (search.value() - bestValue);
     double norm = squaredNorm();
     for (int i = 0; i < momentCount; i++) {
       int moment = moments[i];
@@ -212,19 +221,24 @@ abstract class GroupPrices {
   }
 
   /** Exchanges sets from those that are offered as long as the value rises. */
-  private void improve() {
-    boolean better = true;
-    for (int pass = 0; better && pass < 4; pass++) {
-      better = false;
-      for (int i = 0; i < cameraCount; i++) {
-        int before = chosen[i];
-        count(before, -1);
-        chosen[i] = mostGaining(cameras[i], before);
-        count(chosen[i], 1);
-        better |= chosen[i] != before;
-      }
-    }
+  @Override
+  public final void improvePlan() {
+    Exchange.improve(this, PASSES);
     keep();
+  }
+
+  @Override
+  public final int choosers() {
+    return cameraCount;
+  }
+
+  @Override
+  public final boolean exchange(int camera) {
+    int before = chosen[camera];
+    count(before, -1);
+    chosen[camera] = mostGaining(cameras[camera], before);
+    count(chosen[camera], 1);
+    return chosen[camera] != before;
   }
 
   private int mostGaining(int camera, int before) {

@@ -2,12 +2,13 @@ package org.hificamsim.solver.way;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import org.hificamsim.solver.Exchange;
 
 /**
  * Plans in turns: each camera in turn takes its best way given the ways of the others, until none
  * gains. Progress towards a gain counts less from pass to pass.
  */
-final class TurnPlanner {
+final class TurnPlanner implements Exchange.Choice {
   private static final double[] SHARES = {0.5, 0.1, 1e-3};
   private static final int MAX_PASSES = 6;
 
@@ -18,6 +19,9 @@ final class TurnPlanner {
   private final CameraWays trial;
   private final CameraWays best;
   private int[] coverage;
+  private int[] turns;
+  private double share;
+  private double score;
   private double bestScore = -1;
 
   TurnPlanner(WayProblem problem) {
@@ -57,38 +61,47 @@ final class TurnPlanner {
   }
 
   private void plan(int[] order, int firstShare) {
+    turns = order;
     coverage = trial.coverage();
-    for (int share = firstShare; share < SHARES.length; share++) {
-      double before;
-      double score = -1;
-      int pass = 0;
-      do {
-        before = score;
-        takeTurns(order, SHARES[share]);
-        score = problem.score(coverage);
-        keep(score);
-      } while (score > before && ++pass < MAX_PASSES);
+    for (int i = firstShare; i < SHARES.length; i++) {
+      share = SHARES[i];
+      score = -1;
+      Exchange.improve(this, MAX_PASSES);
     }
   }
 
-  private void keep(double score) {
-    if (score > bestScore) {
-      bestScore = score;
+  @Override
+  public int choosers() {
+    return turns.length;
+  }
+
+  @Override
+  public boolean endPass(boolean changed) {
+    double before = score;
+    score = problem.score(coverage);
+    keep(score);
+    return score > before;
+  }
+
+  private void keep(double newScore) {
+    if (newScore > bestScore) {
+      bestScore = newScore;
       best.copy(trial);
     }
   }
 
-  private void takeTurns(int[] order, double share) {
-    for (int camera : order) {
-      trial.count(camera, -1, coverage);
-      for (int step : problem.onlineSteps(camera)) {
-        for (int set = problem.firstSet(step, camera); set < problem.endSet(step, camera); set++) {
-          rewards[set] = guide.gain(step, set, coverage, share);
-        }
+  @Override
+  public boolean exchange(int turn) {
+    int camera = turns[turn];
+    trial.count(camera, -1, coverage);
+    for (int step : problem.onlineSteps(camera)) {
+      for (int set = problem.firstSet(step, camera); set < problem.endSet(step, camera); set++) {
+        rewards[set] = guide.gain(step, set, coverage, share);
       }
-      search.search(camera, rewards, trial);
-      trial.count(camera, 1, coverage);
     }
+    search.search(camera, rewards, trial);
+    trial.count(camera, 1, coverage);
+    return true;
   }
 
   CameraWays best() {
