@@ -37,10 +37,10 @@ public final class BranchList implements BranchAndBound.Tree {
 
   private final Problem problem;
 
-  /** By depth, the branches of the node, those to be taken first in front. */
+  /** The branches of each node on the path, those to be taken first in front, by depth. */
   private final int[][] branches;
 
-  /** By depth and place in the list: the value of the branch. */
+  /** The value of a branch, by depth and place in the list. */
   private final double[][] values;
 
   private final int[] counts;

@@ -34,7 +34,7 @@ final class ExpectedSolver extends Solver
   private final long maxNodes;
   private final double[] coverage;
 
-  /** By target, its coverage by the rows with the greatest weighted sums. */
+  /** The coverage by the rows with the greatest weighted sums, by target. */
   private final double[] relaxedCoverage;
 
   private final double[] weights;

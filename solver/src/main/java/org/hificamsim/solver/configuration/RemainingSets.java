@@ -21,10 +21,10 @@ final class RemainingSets {
   private final int[] removedSets;
   private final int[] choosingCameras;
 
-  /** By camera: the targets that any of its remaining sets holds. */
+  /** The targets that any remaining set of a camera holds, by camera. */
   private final BitMatrix unions;
 
-  /** By camera: the targets that all of its remaining sets hold. */
+  /** The targets that all remaining sets of a camera hold, by camera. */
   private final BitMatrix intersections;
 
   private final int[] maxCoverage;

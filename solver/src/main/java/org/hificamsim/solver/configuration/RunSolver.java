@@ -27,7 +27,7 @@ public final class RunSolver extends Solver implements BranchList.Problem, Excha
   private final Configuration trial;
   private final Configuration best;
 
-  /** By camera, the sets to try. */
+  /** The sets to try, by camera. */
   private final int[][] setsToTry;
 
   /** The sets of the camera whose number is the depth, those with the greatest bound first. */

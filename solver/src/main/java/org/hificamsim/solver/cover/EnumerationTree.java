@@ -33,19 +33,19 @@ final class EnumerationTree implements BranchList.Problem {
   private final int coverablePoints;
   private final BranchList branches;
 
-  /** By depth, the points that can be covered and that the path does not cover. */
+  /** The points that can be covered and that the path does not cover, by depth. */
   private final BitMatrix uncovered;
 
-  /** By depth, the number of points that the path covers. */
+  /** The number of points that the path covers, by depth. */
   private final int[] coveredPoints;
 
   /**
-   * By depth, the gains of the candidates that a better plan may add, the greatest first. A branch
+   * The gains of the candidates that a better plan may add, the greatest first, by depth. A branch
    * is an index into them.
    */
   private final long[][] gains;
 
-  /** By depth and index into the gains: whether the branch was tried, which excludes it. */
+  /** Whether a branch was tried, which excludes it, by depth and index into the gains. */
   private final boolean[][] tried;
 
   private final BitMatrix allowed;

@@ -19,7 +19,7 @@ final class GroupTree extends GroupPrices implements BranchList.Problem {
 
   private final boolean[] decided;
 
-  /** By depth, the camera that decides. */
+  /** The camera that decides, by depth. */
   private final int[] deciding;
 
   private final double[] gain;
@@ -27,7 +27,7 @@ final class GroupTree extends GroupPrices implements BranchList.Problem {
   /** The price by the number of cameras that already detect a target, and by moment. */
   private final double[][] nodePrices;
 
-  /** By depth, the sets of the deciding camera, the greatest gain first. */
+  /** The sets of the deciding camera at each depth, the greatest gain first. */
   private final BranchList branches;
 
   private final BranchAndBound search = new BranchAndBound();
