@@ -113,8 +113,7 @@ function seedsNotice({rows, count, columns}) {
     'p',
     {class: 'notice'},
     `With ${seeds} seeds none of ${tests} differences can have a corrected p below ` +
-      `${SIGNIFICANCE}: ` +
-      `take ${least} seeds, or compare fewer policies. The intervals hold.`,
+      `${SIGNIFICANCE}: take ${least} seeds, or compare fewer policies. The intervals hold.`,
   );
 }
 
