@@ -1,5 +1,7 @@
 package org.hificamsim.solver;
 
+import java.util.Arrays;
+
 /**
  * A tree for {@link BranchAndBound} whose nodes list their branches when they are first visited.
  * The problem says which branches a node has and what taking one changes; this class keeps the
@@ -34,6 +36,7 @@ public final class BranchList implements BranchAndBound.Tree {
   }
 
   private static final int UNLISTED = -1;
+  private static final int LEAST_LENGTH = 8;
 
   private final Problem problem;
 
@@ -49,12 +52,11 @@ public final class BranchList implements BranchAndBound.Tree {
 
   /**
    * @param maxDepth the greatest number of branches on a path
-   * @param maxBranches the greatest number of branches of a node
    */
-  public BranchList(Problem problem, int maxDepth, int maxBranches) {
+  public BranchList(Problem problem, int maxDepth) {
     this.problem = problem;
-    branches = new int[maxDepth + 1][maxBranches];
-    values = new double[maxDepth + 1][maxBranches];
+    branches = new int[maxDepth + 1][0];
+    values = new double[maxDepth + 1][0];
     counts = new int[maxDepth + 1];
     next = new int[maxDepth + 1];
   }
@@ -67,7 +69,16 @@ public final class BranchList implements BranchAndBound.Tree {
 
   /** Adds a branch behind those of the node that is listed. */
   public void add(int branch) {
-    branches[depth][counts[depth]++] = branch;
+    int at = counts[depth]++;
+    if (at == branches[depth].length) {
+      branches[depth] = Arrays.copyOf(branches[depth], grown(at));
+    }
+    branches[depth][at] = branch;
+  }
+
+  /** Lists keep their length, so that only the first nodes of a search make them longer. */
+  private static int grown(int length) {
+    return Math.max(LEAST_LENGTH, 2 * length);
   }
 
   /**
@@ -76,7 +87,11 @@ public final class BranchList implements BranchAndBound.Tree {
    * <p>All branches before it must have been added with a value.
    */
   public void add(int branch, double value) {
-    int at = counts[depth]++;
+    int at = counts[depth];
+    add(branch);
+    if (at == values[depth].length) {
+      values[depth] = Arrays.copyOf(values[depth], grown(at));
+    }
     for (; at > 0 && values[depth][at - 1] < value; at--) {
       branches[depth][at] = branches[depth][at - 1];
       values[depth][at] = values[depth][at - 1];

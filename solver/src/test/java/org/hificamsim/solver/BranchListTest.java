@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class BranchListTest {
@@ -14,7 +15,7 @@ class BranchListTest {
 
   /** Writes down the words of three letters a, b and c, those that end in c first. */
   private static final class Words implements BranchList.Problem {
-    private final BranchList branches = new BranchList(this, DEPTH, WIDTH);
+    private final BranchList branches = new BranchList(this, DEPTH);
     private final List<String> found = new ArrayList<>();
     private String word = "";
     private String last = "";
@@ -68,6 +69,35 @@ class BranchListTest {
     assertEquals(List.of("ccc", "cca", "ccb", "cac"), words.found.subList(0, 4));
     assertEquals("bbb", words.found.get(26));
     assertEquals("", words.word);
+  }
+
+  @Test
+  void sortsNodesOfAnyNumberOfBranches() {
+    List<Integer> taken = new ArrayList<>();
+    BranchList[] branches = new BranchList[1];
+    branches[0] =
+        new BranchList(
+            new BranchList.Problem() {
+              @Override
+              public void list(int depth) {
+                for (int branch = 0; depth == 0 && branch < 100; branch++) {
+                  branches[0].add(branch, branch * 37 % 100);
+                }
+              }
+
+              @Override
+              public void take(int depth, int branch) {
+                assertEquals(branch * 37 % 100, branches[0].value(0));
+                taken.add(branch * 37 % 100);
+              }
+
+              @Override
+              public void undo(int depth, int branch) {}
+            },
+            1);
+    branches[0].begin();
+    assertTrue(new BranchAndBound().search(branches[0], Long.MAX_VALUE));
+    assertEquals(IntStream.range(0, 100).map(i -> 99 - i).boxed().toList(), taken);
   }
 
   @Test

@@ -127,10 +127,6 @@ final class ChanceRows implements ConfigurationSets {
     return firstRow.length - 1;
   }
 
-  int maxRows() {
-    return rows.length;
-  }
-
   int maxTargets() {
     return viewTargets.length;
   }

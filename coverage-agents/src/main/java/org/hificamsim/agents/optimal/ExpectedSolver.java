@@ -73,7 +73,7 @@ final class ExpectedSolver extends Solver
     bestWeights = new double[rows.maxTargets()];
     chosen = new int[rows.maxCameras()];
     best = new int[rows.maxCameras()];
-    branches = new BranchList(this, rows.maxCameras(), rows.maxRows());
+    branches = new BranchList(this, rows.maxCameras());
     restBounds = new double[rows.maxCameras() + 1];
   }
 

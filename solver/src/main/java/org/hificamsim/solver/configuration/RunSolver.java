@@ -53,7 +53,7 @@ public final class RunSolver extends Solver implements BranchList.Problem, Excha
     trial = new Configuration(problem);
     best = new Configuration(problem);
     setsToTry = new int[problem.cameras()][];
-    branches = new BranchList(this, problem.cameras(), problem.sets());
+    branches = new BranchList(this, problem.cameras());
     optimisticCoverage = new int[problem.targets()];
   }
 

@@ -66,7 +66,7 @@ final class EnumerationTree implements BranchList.Problem {
     this.stop = stop;
     best = start;
     path = new int[cameras];
-    branches = new BranchList(this, cameras, instance.candidates());
+    branches = new BranchList(this, cameras);
     covered = new BitMatrix(instance.candidates(), instance.points());
     coveringCandidates = new BitMatrix(instance.points(), instance.candidates());
     uncovered = new BitMatrix(cameras + 1, instance.points());

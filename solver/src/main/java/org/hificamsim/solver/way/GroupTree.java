@@ -38,7 +38,7 @@ final class GroupTree extends GroupPrices implements BranchList.Problem {
     undecidedCameras = new int[problem.momentCount()];
     decided = new boolean[problem.cameras()];
     deciding = new int[problem.cameras() + 1];
-    branches = new BranchList(this, problem.cameras(), priced.maxSets() + 1);
+    branches = new BranchList(this, problem.cameras());
     gain = new double[problem.momentCount()];
     nodePrices = new double[MAX_K][problem.momentCount()];
     for (double[] byMoment : nodePrices) {

@@ -93,15 +93,6 @@ final class PricedCameras {
     sets[camera][index] = sets[camera][--setCounts[camera]];
   }
 
-  /** The greatest number of sets of a camera. */
-  int maxSets() {
-    int most = 0;
-    for (int[] list : sets) {
-      most = Math.max(most, list.length);
-    }
-    return most;
-  }
-
   int maxCoverage(int moment) {
     return maxCoverage[moment];
   }
