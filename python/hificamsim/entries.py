@@ -61,9 +61,9 @@ def benchmark(
 
 def _enter(file: str, out: str | os.PathLike[str], name: str, chosen: list[str], settings: dict[str, Any]) -> dict[str, Array]:
     """Enters a policy in a file."""
-    files = {"file": file} | {key: path(settings[key], key) for key in settings.keys() & {"weights"}}
-    words = {key: os.path.abspath(file) for key, file in files.items()}
-    words |= {key: _word(value) for key, value in settings.items() if key not in files}
+    words = {"file": os.path.abspath(file)} | {key: _word(value) for key, value in settings.items()}
+    if "weights" in settings:
+        words["weights"] = os.path.abspath(path(settings["weights"], "weights"))
     policy = "python:" + ",".join(f"{key}={word}" for key, word in words.items())
     out = os.fspath(out)
     execute("benchmark", "run", "--policy", policy, "--name", name, "--tasks", ",".join(chosen), "--out", out)
