@@ -117,7 +117,7 @@ record PlanReview(Path file, EvaluatedPlan plan) {
   }
 
   private String obstacles() {
-    return "" + plan.demand().site().obstacles().size();
+    return Integer.toString(plan.demand().site().obstacles().size());
   }
 
   private static Set<String> zones(PlanReview first, PlanReview second) {

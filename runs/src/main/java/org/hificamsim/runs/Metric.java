@@ -333,10 +333,7 @@ public enum Metric {
     return Arrays.stream(values()).filter(metric -> metric.isOfRun() && !metric.isClaim()).toList();
   }
 
-  /**
-   * Whether a run is enough to compute the metric; otherwise it needs the yardsticks of a
-   * comparison.
-   */
+  /** Whether a run is enough to compute the metric; else it needs a comparison's yardsticks. */
   boolean isOfRun() {
     return source instanceof MetricSource.RunAlone;
   }

@@ -27,9 +27,7 @@ final class Sight {
   /** The number of pairs of cameras and targets below which a grid saves no time. */
   private static final long MIN_PAIRS = 4_000;
 
-  /**
-   * The least number of cells that saves time: with fewer, most cameras would look at most targets.
-   */
+  /** The least number of cells that saves time: with fewer, most cameras look at most targets. */
   private static final int MIN_CELLS = 40;
 
   private final Cameras cameras;
